@@ -15,13 +15,6 @@ bool is_moving(const BodyRecord& record) {
     return record.kind != BodyKind::Static && !record.frozen;
 }
 
-/// How far ahead of a body points are looked for: what it moves beyond that is swept. Thin bodies turn onto their faces
-/// faster than they are thick.
-Real ahead_m(const BodyRecord& record) {
-    return is_moving(record) ? std::max(record.sweep.inner_radius_m, record.traits.radius_m / 4)
-                             : Real{0};
-}
-
 Real spin_mps(const BodyRecord& record) {
     return is_moving(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
 }
@@ -90,6 +83,11 @@ void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
 
 }  // namespace
 
+Real ahead_m(const BodyRecord& record) {
+    return is_moving(record) ? std::max(record.sweep.inner_radius_m, record.traits.radius_m / 4)
+                             : Real{0};
+}
+
 Real near_m(const Pair& pair) {
     return pair.round ? pair.base_m : kNear * pair.base_m;
 }
@@ -107,6 +105,12 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
     const Real displacement = speed * step.step_s + step.drop_m;
     if (pair.round) return pair.base_m + (2 * displacement <= pair.base_m ? Real{0} : displacement);
     return near_m(pair) + std::min(displacement, ahead_m(a) + ahead_m(b));
+}
+
+bool are_within_reach(const Pair& pair, const CollideStep& step) {
+    const Real apart_m =
+        glm::distance(pair.a->motion->at.position_m, pair.b->motion->at.position_m);
+    return apart_m <= pair.a->traits.radius_m + pair.b->traits.radius_m + reach_of(pair, step);
 }
 
 bool knows_less(const Pair& pair, const CollideStep& step) {

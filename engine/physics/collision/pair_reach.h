@@ -11,8 +11,9 @@ namespace plumbline::physics {
 /// What colliding needs to know of the step.
 struct CollideStep {
     Real step_s{0};
-    Real drop_m{0};     ///< what gravity adds to any motion within the step, at most
-    bool again{false};  ///< within a step: what the points carried in it so far stays
+    Real drop_m{0};           ///< what gravity adds to any motion within the step, at most
+    bool again{false};        ///< within a step: what the points carried in it so far stays
+    bool turned_back{false};  ///< impacts have led bodies out of the boxes that the step began with
 };
 
 /// The impact of a pair that collides within the step.
@@ -21,8 +22,13 @@ struct PairImpact {
     PredictedChange on_b;
 };
 
+/// How far ahead of a body points are looked for: what it moves beyond that is swept. Thin bodies turn onto their faces
+/// faster than they are thick.
+Real ahead_m(const BodyRecord& record);
 /// How far apart points must be found so that none is missed, with the predicted changes known so far.
 Real reach_of(const Pair& pair, const CollideStep& step);
+/// Whether the balls round the two are within that.
+bool are_within_reach(const Pair& pair, const CollideStep& step);
 /// Points of the pair count up to this distance, however slowly the bodies close.
 Real near_m(const Pair& pair);
 /// Of both bodies.

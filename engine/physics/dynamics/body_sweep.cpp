@@ -3,10 +3,13 @@
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/cast.h"
 #include "engine/physics/bullet/rotations.h"
+#include "engine/physics/collision/pair_reach.h"
+#include "engine/physics/dynamics/rotation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace plumbline::physics {
 namespace {
@@ -16,15 +19,92 @@ constexpr Real kStuckShare = 0.02_r;
 /// Of the inner radius: bodies that come to overlap by so much cross each other.
 constexpr double kCrossingShare = 0.5;
 
-/// What the body did since record.before.
+/// Where the body's path to where it is now begins.
+const Transform& start_of(const BodyRecord& record) {
+    return record.sweep.since > 0 ? record.sweep.from : record.before.at;
+}
+
+/// What the body did since then.
 BodyPath path_of(const BodyRecord& record) {
+    const auto since = static_cast<double>(record.sweep.since);
     const auto until = static_cast<double>(record.sweep.until);
-    if (stands_still(record) || !(until > 0)) return {.from = record.motion->at};
-    const SteadyMotion motion = motion_between(record.before.at, record.motion->at, 1);
-    return {.from = record.before.at,
-            .displacement_m = Vec3d(motion.velocity_mps) / until,
-            .turn_rad = Vec3d(motion.spin_radps) / until,
+    if (stands_still(record) || !(until > since)) return {.from = record.motion->at};
+    const Transform& from = start_of(record);
+    const SteadyMotion motion = motion_between(from, record.motion->at, 1);
+    return {.from = from,
+            .displacement_m = Vec3d(motion.velocity_mps) / (until - since),
+            .turn_rad = Vec3d(motion.spin_radps) / (until - since),
+            .since = since,
             .until = until};
+}
+
+bool moves(const BodyRecord& record) {
+    return !record.frozen && record.kind != BodyKind::Static;
+}
+
+/// How fast gyroscopic torque changes the spin.
+double gyroscopic_radps2(const BodyRecord& record) {
+    const Vec3d spin{unrotated(record.motion->spin_radps, record.motion->at.rotation)};
+    const Vec3d momentum = record.traits.inertia_kgm2 * spin;
+    return glm::length(Vec3d(record.motion->inverse_moments) * glm::cross(momentum, spin));
+}
+
+/// Up to which share of the step a screw motion tells where the body turns: no point of it leaves that by more than a
+/// share of its inner radius.
+double horizon_of(const BodyRecord& record, const Outlook& outlook) {
+    constexpr double kMostError = 0.1;
+    if (!outlook.gyroscopic_torque || record.traits.isotropic_inertia || !pushable(record))
+        return 1;
+    const double error_mps2 =
+        gyroscopic_radps2(record) * static_cast<double>(record.traits.radius_m) / 8;
+    const double most_m = kMostError * static_cast<double>(record.sweep.inner_radius_m);
+    const double left_s = (1 - outlook.now) * outlook.step_s;
+    if (!(error_mps2 * left_s * left_s > most_m)) return 1;
+    return outlook.now + std::sqrt(most_m / error_mps2) / outlook.step_s;
+}
+
+/// The turn over the whole step, at the mean spin up to a share of it.
+Vec3d predicted_turn_rad(const BodyRecord& record, const Outlook& outlook, double until) {
+    const Vec3d turn{record.motion->spin_radps * static_cast<Real>(outlook.step_s)};
+    const double duration_s = (until - outlook.now) * outlook.step_s;
+    if (!outlook.gyroscopic_torque || record.traits.isotropic_inertia || !pushable(record) ||
+        !(glm::length(turn) * (until - outlook.now) < std::numbers::pi))
+        return turn;
+    const Transform& from = record.motion->at;
+    const FreeTurn end = turned_freely({double_quat_of(from.rotation), turn / outlook.step_s},
+                                       record.traits.inertia_kgm2,
+                                       duration_s);
+    Transform to = from;
+    to.rotation = Mat3{glm::mat3_cast(end.orientation)};
+    return Vec3d(motion_between(from, to, 1).spin_radps) / (until - outlook.now);
+}
+
+/// The change of speed by the step's forces; contacts bear them where there are any.
+Vec3 gain_mps2(const BodyRecord& record) {
+    if (!pushable(record) || !record.small.awake || !flies(record)) return {0, 0, 0};
+    return record.applied.force_N * record.motion->inverse_mass;
+}
+
+/// What the body will do from now on if nothing meets it.
+BodyPath predicted_path(const BodyRecord& record, const Outlook& outlook, double until) {
+    BodyPath path{.from = record.motion->at, .since = outlook.now};
+    if (!moves(record)) return path;
+    const double left_s = (1 - outlook.now) * outlook.step_s;
+    path.displacement_m =
+        (Vec3d(record.motion->velocity_mps) + Vec3d(gain_mps2(record)) * (left_s / 2)) *
+        outlook.step_s;
+    path.turn_rad = predicted_turn_rad(record, outlook, until);
+    return path;
+}
+
+/// The pair of two bodies; null: none.
+Pair* pair_of(const BodyRecord& a, const BodyRecord& b) {
+    const auto& pairs = a.small.pairs;
+    const auto place =
+        std::lower_bound(pairs.begin(), pairs.end(), b.id, [](const PairLink& link, BodyId id) {
+            return link.other < id;
+        });
+    return place != pairs.end() && place->other == b.id ? place->pair : nullptr;
 }
 
 double crossing_of(const BodyRecord& record) {
@@ -32,14 +112,36 @@ double crossing_of(const BodyRecord& record) {
     return radius_m > 0 ? kCrossingShare * radius_m : std::numeric_limits<double>::infinity();
 }
 
+/// Nearer than that the two touch: beyond the distance at which an impact is found.
+double touching_m(const BodyRecord& a, const BodyRecord& b) {
+    constexpr double kTouchingShare = 0.04;
+    return kTouchingShare * std::min(crossing_of(a), crossing_of(b));
+}
+
 /// Whether the step found contact points between the two before it moved them.
 bool are_in_contact(const BodyRecord& a, const BodyRecord& b) {
-    const auto& pairs = a.small.pairs;
-    const auto place =
-        std::lower_bound(pairs.begin(), pairs.end(), b.id, [](const PairLink& link, BodyId id) {
-            return link.other < id;
-        });
-    return place != pairs.end() && place->other == b.id && place->pair->touches;
+    const Pair* pair = pair_of(a, b);
+    return pair != nullptr && pair->touches;
+}
+
+/// Parts meet others at seams while they touch: points tell better then.
+bool has_parts(const BodyRecord& record) {
+    return record.traits.geometry->parts.size() > 1;
+}
+
+/// Whether the balls round the two can meet in what is left of the step.
+bool may_come_near(const BodyRecord& a, const BodyRecord& b, const Outlook& outlook) {
+    const auto left_s = static_cast<Real>((1 - outlook.now) * outlook.step_s);
+    const Real closing_m = glm::distance(a.motion->velocity_mps, b.motion->velocity_mps) * left_s +
+                           glm::length(gain_mps2(a) - gain_mps2(b)) * left_s * left_s / 2;
+    const Real apart_m = glm::distance(a.motion->at.position_m, b.motion->at.position_m);
+    // With room for the distance at which they touch.
+    return apart_m <= closing_m + (a.traits.radius_m + b.traits.radius_m) * 1.1_r;
+}
+
+double turned_share(const BodyRecord& record, double angle_rad) {
+    const bool is_ball = record.traits.primitive.kind == ConvexShape::Kind::Sphere;
+    return is_ball ? 0 : std::min(angle_rad, 2.0) * static_cast<double>(record.traits.radius_m);
 }
 
 }  // namespace
@@ -48,7 +150,7 @@ bool moves_past_itself(const BodyRecord& record) {
     if (record.sweep.inner_radius_m <= 0 || record.sweep.ccd == ContinuousCollision::Off)
         return false;
     if (record.sweep.ccd == ContinuousCollision::On) return true;
-    const Transform& from = record.before.at;
+    const Transform& from = start_of(record);
     const Transform& to = record.motion->at;
     Real farthest_m = glm::distance(from.position_m, to.position_m);
     if (record.traits.primitive.kind != ConvexShape::Kind::Sphere) {
@@ -75,9 +177,69 @@ Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint3
         const auto impact =
             time_of_impact(moving,
                            {*other->traits.geometry, other_path, crossing_of(*other)},
-                           are_in_contact(record, *other),
+                           are_in_contact(record, *other) ? Known::Held : Known::Nothing,
                            first.share);
         if (impact) first = *impact;
+    }
+    return first;
+}
+
+bool outruns_points(const BodyRecord& record, const Outlook& outlook) {
+    if (record.sweep.inner_radius_m <= 0 || record.sweep.ccd == ContinuousCollision::Off)
+        return false;
+    const double left_s = (1 - outlook.now) * outlook.step_s;
+    const double moves_m =
+        static_cast<double>(glm::length(record.motion->velocity_mps)) * left_s +
+        static_cast<double>(glm::length(gain_mps2(record))) * (left_s * left_s / 2) +
+        turned_share(record, static_cast<double>(glm::length(record.motion->spin_radps)) * left_s);
+    return moves_m > static_cast<double>(ahead_m(record));
+}
+
+bool touch(const Pair& pair) {
+    const auto is_touching = [limit_m = touching_m(*pair.a, *pair.b)](const ManifoldPoint& point) {
+        return static_cast<double>(point.distance_m) <= limit_m;
+    };
+    return pair.touches && std::ranges::any_of(pair.manifolds, [&](const Manifold& manifold) {
+               return std::ranges::any_of(manifold.points, is_touching);
+           });
+}
+
+bool flies(const BodyRecord& record) {
+    return std::ranges::none_of(record.small.pairs,
+                                [](const PairLink& link) { return touch(*link.pair); });
+}
+
+bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook) {
+    if (!other.joints.empty()) return false;
+    if (!pushable(other)) return other.kind != BodyKind::Kinematic || stands_still(other);
+    return outlook.now == 0 || (other.small.awake && other.small.island == record.small.island);
+}
+
+PredictedImpact predicted_impact(const StepWorld& world,
+                                 const BodyRecord& record,
+                                 const Outlook& outlook) {
+    PredictedImpact first{.share = horizon_of(record, outlook)};
+    const double until = first.share;
+    const BodyPath path = predicted_path(record, outlook, until);
+    const auto near = bodies_near(world,
+                                  swept_bounds(*record.traits.geometry, path),
+                                  {.group = record.filter.group,
+                                   .collides_with = record.filter.collides_with,
+                                   .ignored = &record});
+    for (const BodyRecord* other : near) {
+        if (!may_come_near(record, *other, outlook)) continue;
+        // What is no pair yet is for the sweep after the step.
+        Pair* pair = pair_of(record, *other);
+        if (pair == nullptr || !may_meet(record, *other, outlook)) continue;
+        const bool touches = touch(*pair);
+        if (touches && (has_parts(record) || has_parts(*other))) continue;
+        const BodyPath other_path = predicted_path(*other, outlook, until);
+        const auto impact =
+            time_of_impact({*record.traits.geometry, path, crossing_of(record)},
+                           {*other->traits.geometry, other_path, crossing_of(*other)},
+                           touches ? Known::Touching : Known::Nothing,
+                           first.share);
+        if (impact) first = {impact->share, &partner(*pair, record)};
     }
     return first;
 }
@@ -93,18 +255,21 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     // What stands at the impact already and still heads for it would gain that speed in every step.
     const Vec3 normal{impact.normal};
     const Real into = glm::dot(record.motion->velocity_mps, normal);
-    if (share < kStuckShare && into < 0) record.motion->velocity_mps -= normal * into;
+    if (share - record.sweep.since < kStuckShare && into < 0)
+        record.motion->velocity_mps -= normal * into;
     return true;
 }
 
 void stop_at_share(BodyRecord& record, Real share) {
-    if (share >= record.sweep.until) return;
-    const Real part = share / record.sweep.until;
+    if (share >= record.sweep.until || record.sweep.since >= record.sweep.until) return;
+    const Real since = record.sweep.since;
+    const Real part = (share - since) / (record.sweep.until - since);
+    const Transform from = start_of(record);
     const Transform to = record.motion->at;
     record.motion->ballistic.going = false;
-    Transform stopped = record.before.at;
-    stopped.position_m += (to.position_m - stopped.position_m) * part;
-    stopped.rotation = turned_part_way(record.before.at.rotation, to.rotation, part);
+    Transform stopped = from;
+    stopped.position_m += (to.position_m - from.position_m) * part;
+    stopped.rotation = turned_part_way(from.rotation, to.rotation, part);
     record.motion->at = stopped;
     record.sweep.until = share;
     write_rigid_pose(record);

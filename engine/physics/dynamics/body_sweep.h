@@ -12,6 +12,36 @@ class StepWorld;
 /// than its inner radius.
 bool moves_past_itself(const BodyRecord& record);
 
+/// From when on the rest of a step is looked at, and how bodies turn in it.
+struct Outlook {
+    double now{0};  ///< a share of the step
+    double step_s{1.0 / 60.0};
+    bool gyroscopic_torque{true};
+};
+/// Whether in what is left of the step, at the velocities and under the forces of now, the body moves farther than
+/// contact points are looked for ahead of it.
+bool outruns_points(const BodyRecord& record, const Outlook& outlook);
+
+/// Whether the pair's points, as the step found them last, have one where the bodies touch.
+bool touch(const Pair& pair);
+/// Whether the body touches nothing.
+bool flies(const BodyRecord& record);
+
+/// Whether an impact of the two can be solved within the step: joints and callers lead neither, and once it has begun
+/// they are of one island.
+bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook);
+
+/// What a body will meet first, and when, if nobody's velocity changes before.
+struct PredictedImpact {
+    double share{1};             ///< of the step: until then it meets nothing
+    BodyRecord* other{nullptr};  ///< none: and nothing is known of what comes then
+};
+/// Of what is left of the step, or of as much of it as gyroscopic torque lets say. Left out is what the body touches
+/// with several parts, what joints hold and what callers move; and once the step has begun the bodies of other islands.
+PredictedImpact predicted_impact(const StepWorld& world,
+                                 const BodyRecord& record,
+                                 const Outlook& outlook);
+
 /// The first impact on the body's path since record.before. Bodies of the group are passed through.
 Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);
 

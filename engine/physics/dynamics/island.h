@@ -20,6 +20,7 @@ struct Island {
     std::vector<JointRecord*> joints;  ///< not broken
     bool supported{false};             ///< something that bounds it touches or holds it
     bool carried{false};               ///< ... and moves: a kinematic body
+    bool swept{false};                 ///< one of its bodies may pass something unseen in the step
 
     void clear() {
         bodies.clear();
@@ -27,6 +28,7 @@ struct Island {
         joints.clear();
         supported = false;
         carried = false;
+        swept = false;
     }
 };
 
@@ -40,13 +42,16 @@ struct IslandStep {
     JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
     StepCost* cost{nullptr};
-    int parts{
-        1};  ///< the island is solved part by part, with its contact points found anew before each
-    int part{0};  ///< which of them
+    double part_s{0};  ///< of the part of it at hand; 0: it is solved at once
+    bool first{true};  ///< of its parts
+    bool last{true};
 };
 
-/// Into how many parts the island's step is cut: contact points that roll over a body or a mesh must not lag far behind.
-int parts_of_step(const Island& island, double step_s);
+/// Whether the island can be solved in parts, with its contact points found anew before each.
+bool may_be_parted(const Island& island, double step_s);
+/// Into how many parts a time of the step is cut: contact points that roll over a body or a mesh must not lag far
+/// behind.
+int parts_of_step(const Island& island, double duration_s);
 
 /// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean
 /// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched.
@@ -56,6 +61,9 @@ public:
     ~IslandSolver();
     void begin_step();  ///< before the islands of a step
     IslandReport solve(Island& island, const IslandStep& step);
+    /// Solves the impacts of bodies that touch now, within no time: with restitution and friction, all points of a pair
+    /// at once.
+    void solve_impacts(Island& island, const IslandStep& step);
     void serialize(Archive& archive);
 
 private:

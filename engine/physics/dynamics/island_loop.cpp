@@ -89,10 +89,12 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     const double h = settings.step_s / settings.substeps;
     h_ = static_cast<Real>(h);
     const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
-    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
+    const Real spring_s = settings.spring_s > 0 ? static_cast<Real>(settings.spring_s) : h_;
+    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps, spring_s);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
-    impacts_.begin_step(contacts, bodies, bounce_mps, !stiff_springs);
+    impacts_.begin_step(
+        contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = !stiff_springs});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(bodies, contacts.constraints, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
@@ -106,6 +108,22 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
         report_.unresolved_joints = joint_system_.work().unresolved > 1;
     }
     report_.row_solves += contacts.row_solves;
+    return report_;
+}
+
+LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
+    settings_ = settings;
+    report_ = {};
+    h_ = static_cast<Real>(settings.step_s);
+    const Real bounce_mps = 2 * settings.gravity_mps2 * rest_s + kSlowestBounce_mps;
+    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
+    impacts_.begin_step(
+        contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = false, .inelastic_too = true});
+    for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
+    guard_.begin(bodies, contacts.constraints, joints, h_);
+    report_.impacts = impacts_.run();
+    report_.braked_J = guard_.end(bodies, joints, 0);
+    report_.row_solves = contacts.row_solves;
     return report_;
 }
 

@@ -16,6 +16,7 @@ namespace plumbline::physics {
 struct LoopSettings {
     double step_s{1.0 / 60.0};
     int substeps{4};
+    double spring_s{0};    ///< a sub-step that contacts are made for; 0: those of the step
     int iterations{1};     ///< sweeps of each kind per sub-step
     Real gravity_mps2{0};  ///< its magnitude: what is slower than a fall of two sub-steps rests
     Real push_mps{3};      ///< the fastest that penetration pushes bodies apart
@@ -51,6 +52,9 @@ public:
     /// Moves bodies for one step. Velocities, `delta_position_m`, `delta_rotation`, impulses and joints are left as
     /// the step ends.
     LoopReport run(const LoopSettings& settings);
+    /// Changes velocities alone, by the impacts of all that meets within `settings.step_s`, faster than a fall of two
+    /// `rest_s`.
+    LoopReport run_impacts(const LoopSettings& settings, Real rest_s);
 
 private:
     void substep();

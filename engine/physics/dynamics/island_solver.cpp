@@ -21,7 +21,11 @@ constexpr double kFarFewer = 0.75;
 constexpr double kSurelyEnough =
     0.95;  ///< of fewer: the need changes a little with the number itself
 constexpr int kMostSubsteps = 64;
-constexpr int kMostParts = 16;
+/// Finding points more often would cost too much, of many bodies sooner.
+constexpr std::size_t kMostParts = 128;
+constexpr std::size_t kMostBodiesTimesParts = 1024;
+/// Of the step: what meets within it when an impact is solved takes part in that.
+constexpr double kImpactShare = 0.01;
 constexpr std::size_t kMostBodiesInParts =
     64;  ///< finding the points of more so often would cost too much
 
@@ -112,13 +116,25 @@ bool drives_through(const BodyRecord& record, Real step_s) {
                record.sweep.inner_radius_m;
 }
 
-/// How far the manifold's points run over the bodies within a step, as a share of what points may lag behind.
-Real rolling_share(const Manifold& manifold, Real step_s) {
+/// What a body may turn by before its points are found anew. Points far out on what is thin leave its surface by the
+/// square of a turn.
+Real most_turn_rad(const BodyRecord& record, bool finely) {
     constexpr Real kMostTurn_rad = 0.2_r;
+    constexpr Real kMostLeft = 0.25_r;  // of the inner radius
+    const Real inner_radius_m = record.sweep.inner_radius_m;
+    if (!finely || inner_radius_m <= 0) return kMostTurn_rad;
+    return std::min(kMostTurn_rad,
+                    std::sqrt(2 * kMostLeft * inner_radius_m / record.traits.radius_m));
+}
+
+/// How far the manifold's points run over the bodies within a step, as a share of what points may lag behind.
+Real rolling_share(const Manifold& manifold, Real step_s, bool finely) {
     constexpr Real kMostSlide = 0.25_r;  // of the inner radius, over the faces of a mesh
     const BodyRecord& a = *manifold.a;
     const BodyRecord& b = *manifold.b;
-    const Real share = std::max(felt_spin_radps(a), felt_spin_radps(b)) * step_s / kMostTurn_rad;
+    const Real share = std::max(felt_spin_radps(a) / most_turn_rad(a, finely),
+                                felt_spin_radps(b) / most_turn_rad(b, finely)) *
+                       step_s;
     if (a.traits.geometry->mesh == nullptr && b.traits.geometry->mesh == nullptr) return share;
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
     const Vec3& normal = manifold.points.front().normal_world;
@@ -128,13 +144,27 @@ Real rolling_share(const Manifold& manifold, Real step_s) {
     return std::max(share, glm::length(slide) * step_s / (kMostSlide * size_m));
 }
 
+int substeps_of_part(int substeps, double share) {
+    constexpr double kRounding = 1e-9;
+    return std::max(static_cast<int>(std::ceil(substeps * share - kRounding)), 1);
+}
+
+void count(const LoopReport& report, Interventions& done) {
+    done.braked_J += report.braked_J;
+    done.braked_islands += report.braked_J > 0 ? 1U : 0U;
+    done.clamped_bodies += report.clamped_bodies;
+    done.unresolved_islands += report.unresolved_joints ? 1U : 0U;
+    done.impacts += report.impacts;
+}
+
 }  // namespace
 
 struct IslandSolver::Impl {
     IslandLoop loop;
     ContactBridge bridge;
     SubstepChooser chooser;
-    SubstepChoice chosen;              ///< for the island at work
+    SubstepChoice chosen;  ///< for the island at work
+    std::vector<ManifoldLoad> kept_loads;
     std::vector<BodyRecord*> records;  ///< of loop.bodies; null: what the island does not move
     /// Where bodies that bound the island stand in loop.bodies; other islands may have them too.
     std::unordered_map<const BodyRecord*, std::uint32_t> bounds;
@@ -294,30 +324,57 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     for (const JointRecord* joint : island.joints) add_joint(*joint);
 }
 
-int parts_of_step(const Island& island, double step_s) {
+bool may_be_parted(const Island& island, double step_s) {
     const auto is_driven_through = [step_s](const BodyRecord* record) {
         return drives_through(*record, static_cast<Real>(step_s));
     };
-    if (island.carried || !island.joints.empty() || island.bodies.size() > kMostBodiesInParts ||
-        std::ranges::any_of(island.bodies, is_driven_through))
-        return 1;
+    return !island.carried && island.joints.empty() && island.bodies.size() <= kMostBodiesInParts &&
+           std::ranges::none_of(island.bodies, is_driven_through);
+}
+
+int parts_of_step(const Island& island, double duration_s) {
+    if (!may_be_parted(island, duration_s)) return 1;
+    const std::size_t most_parts =
+        std::min(kMostParts, kMostBodiesTimesParts / island.bodies.size());
+    const bool finely = island.swept && most_parts == kMostParts;
     Real most = 0;
     for (const Manifold* manifold : island.manifolds)
-        most = std::max(most, rolling_share(*manifold, static_cast<Real>(step_s)));
-    return std::clamp(static_cast<int>(std::ceil(most)), 1, kMostParts);
+        most = std::max(most, rolling_share(*manifold, static_cast<Real>(duration_s), finely));
+    return std::clamp(static_cast<int>(std::ceil(most)), 1, static_cast<int>(most_parts));
+}
+
+void IslandSolver::solve_impacts(Island& island, const IslandStep& step) {
+    Impl& impl = *impl_;
+    std::vector<ManifoldLoad>& loads = impl.kept_loads;
+    loads.clear();
+    for (const Manifold* manifold : island.manifolds) loads.push_back(manifold->load);
+    const double h = step.step_s * kImpactShare;
+    impl.gather(island, step, h);
+    const LoopReport report =
+        impl.loop.run_impacts({.step_s = h,
+                               .substeps = 1,
+                               .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
+                               .push_mps = kContactPush_mps},
+                              static_cast<Real>(step.step_s));
+    write_bodies(impl.loop.bodies, impl.records);
+    impl.bridge.count_impulses(impl.loop.contacts);
+    for (std::size_t i = 0; i < loads.size(); ++i) island.manifolds[i]->load = loads[i];
+    step.cost->row_solves += report.row_solves;
+    count(report, step.cost->interventions);
 }
 
 IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     Impl& impl = *impl_;
-    if (step.part == 0) impl.chosen = impl.choose(island, step);
+    if (step.first) impl.chosen = impl.choose(island, step);
     const SubstepChoice& choice = impl.chosen;
-    const int substeps = (choice.substeps + step.parts - 1) / step.parts;
-    const double part_s = step.step_s / step.parts;
+    const double part_s = step.part_s > 0 ? step.part_s : step.step_s;
+    const int substeps = substeps_of_part(choice.substeps, part_s / step.step_s);
     const double h = part_s / substeps;
     impl.gather(island, step, h);
     const LoopReport report =
         impl.loop.run({.step_s = part_s,
                        .substeps = substeps,
+                       .spring_s = island.swept ? step.step_s / choice.substeps : 0,
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kContactPush_mps,
@@ -325,20 +382,16 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .joint_method = step.joints});
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
+    if (island.swept) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));
     write_joints(impl.loop.joints, island.joints, part_s);
     step.cost->row_solves += report.row_solves;
-    Interventions& done = step.cost->interventions;
-    done.braked_J += report.braked_J;
-    done.braked_islands += report.braked_J > 0 ? 1U : 0U;
-    done.clamped_bodies += report.clamped_bodies;
-    done.unresolved_islands += report.unresolved_joints ? 1U : 0U;
-    done.impacts += report.impacts;
-    if (step.part + 1 == step.parts) step.cost->contacts += impl.bridge.point_count();
+    count(report, step.cost->interventions);
+    if (step.last) step.cost->contacts += impl.bridge.point_count();
     return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
             .bodies = static_cast<std::uint32_t>(island.bodies.size()),
             .contacts = impl.bridge.point_count(),
             .joints = static_cast<std::uint32_t>(island.joints.size()),
-            .substeps = substeps * step.parts,
+            .substeps = substeps,
             .reason = reason_name(choice.reason)};
 }
 

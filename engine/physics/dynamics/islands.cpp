@@ -74,7 +74,8 @@ void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) 
 
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,
                           std::span<Manifold* const> manifolds,
-                          std::span<JointRecord* const> joints) {
+                          std::span<JointRecord* const> joints,
+                          std::span<const SweptPath> swept) {
     sets_.reset(bodies.size());
     held_.assign(bodies.size(), 0);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->small.row = i;
@@ -85,6 +86,10 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
     };
     for (const Manifold* manifold : manifolds) tie(manifold->a, manifold->b);
     for (const JointRecord* joint : joints) tie(joint->a, joint->b);
+
+    for (const SweptPath& path : swept) {
+        if (path.meets != nullptr) tie(path.body, path.meets);
+    }
 
     number_.assign(bodies.size(), kNoIsland);
     free_.clear();
@@ -108,6 +113,9 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
         const BodyRecord* member = is_member(manifold->a) ? manifold->a : manifold->b;
         island_of(member->small.row).manifolds.push_back(manifold);
         note_partner(member->small.row, member == manifold->a ? manifold->b : manifold->a);
+    }
+    for (const SweptPath& path : swept) {
+        if (held_[path.body->small.row] != 0) island_of(path.body->small.row).swept = true;
     }
     for (JointRecord* joint : joints) {
         const BodyRecord* member = is_member(joint->a) ? joint->a : joint->b;

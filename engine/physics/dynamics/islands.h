@@ -10,15 +10,22 @@
 
 namespace plumbline::physics {
 
+/// A body that may pass something unseen in this step, and what it will meet first.
+struct SweptPath {
+    BodyRecord* body{nullptr};
+    BodyRecord* meets{nullptr};  ///< none: nothing; itself: who knows
+};
+
 /// Builds a step's islands and keeps their memory for the next step.
 class IslandBuilder {
 public:
     /// `bodies` are the awake dynamic ones in the order of their ids; `manifolds` touch at least
-    /// one of them; `joints` hold at least one of them. Orders are kept within each island;
-    /// islands come by their first body.
+    /// one of them; `joints` hold at least one of them; `swept` are some of them. Orders are kept
+    /// within each island; islands come by their first body.
     void build(std::span<BodyRecord* const> bodies,
                std::span<Manifold* const> manifolds,
-               std::span<JointRecord* const> joints);
+               std::span<JointRecord* const> joints,
+               std::span<const SweptPath> swept = {});
 
     std::span<Island> islands() { return {islands_.data(), count_}; }
     /// Bodies that nothing touches or holds, in the order of their ids.

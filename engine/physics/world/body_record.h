@@ -75,6 +75,8 @@ struct SweptBody {
     ContinuousCollision ccd{ContinuousCollision::Auto};
     Real inner_radius_m{0};  ///< of the largest ball inside its thinnest part; 0: never swept
     Real until{1};           ///< the share of the latest step in which it moved
+    Real since{0};           ///< the share at which its latest impact left it at `from`
+    Transform from{};        ///< only where `since` is not 0
     std::uint32_t group{0};  ///< bodies that stop together share it; 0: stops alone
 };
 
@@ -167,6 +169,7 @@ inline void note_before(BodyRecord& record) {
     record.before = {motion.at, motion.velocity_mps, motion.spin_radps};
     record.small.predicted = {};
     record.sweep.until = 1;
+    record.sweep.since = 0;
 }
 
 inline void add_force(BodyRecord& record, const Vec3& force_N) {

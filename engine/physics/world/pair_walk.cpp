@@ -41,7 +41,13 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     if (nearest_.needed()) complete_crowds(bodies);
     for (BodyRecord* record : bodies.dynamic()) visit(*record, bodies);
     for (BodyRecord* record : bodies.kinematic()) visit(*record, bodies);
-    // The pairs of woken bodies may wake more.
+    if (!visit_woken(bodies)) list_touching(bodies.dynamic(), touching_pairs_);
+    for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
+    return tests_;
+}
+
+/// The pairs of woken bodies may wake more. Whether touching_pairs_ are in order.
+bool PairWalk::visit_woken(AwakeBodies& bodies) {
     bool in_order = true;
     std::size_t visited = 0;
     do {
@@ -52,10 +58,13 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
         }
         if (!impacted_.empty()) in_order = false;
     } while (spread_impacts(bodies) || visited < bodies.woken().size());
-    if (bodies.admit_woken()) in_order = false;
-    if (!in_order) list_touching(bodies.dynamic(), touching_pairs_);
-    for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
-    return tests_;
+    return !bodies.admit_woken() && in_order;
+}
+
+void PairWalk::collide_woken(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
+    if (bodies.woken().empty()) return;
+    visit_woken(bodies);
+    list_again(bodies, touching);
 }
 
 void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
@@ -68,8 +77,10 @@ void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
             if (pushable(other) && (other.id < record->id || !other.small.awake ||
                                     other.small.island != record->small.island))
                 continue;
+            const bool is_near =
+                step.turned_back ? are_within_reach(*link.pair, step) : boxes_overlap(*link.pair);
             if (!link.pair->touches &&
-                (!boxes_overlap(*link.pair) || !nearest_.takes_part(*link.pair->a, *link.pair->b)))
+                (!is_near || !nearest_.takes_part(*link.pair->a, *link.pair->b)))
                 continue;
             find_points(*link.pair, step);
             if (link.pair->touches) list_manifolds(*link.pair, manifolds);
@@ -77,10 +88,14 @@ void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
     }
 }
 
+void PairWalk::list(std::span<BodyRecord* const> bodies, std::vector<Manifold*>& manifolds) {
+    list_touching(bodies, touching_pairs_);
+    manifolds.clear();
+    for (Pair* pair : touching_pairs_) list_manifolds(*pair, manifolds);
+}
+
 void PairWalk::list_again(const AwakeBodies& bodies, std::vector<Manifold*>& touching) {
-    list_touching(bodies.dynamic(), touching_pairs_);
-    touching.clear();
-    for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
+    list(bodies.dynamic(), touching);
 }
 
 void PairWalk::complete_crowds(const AwakeBodies& bodies) {

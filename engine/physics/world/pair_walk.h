@@ -4,6 +4,7 @@
 #include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/pair_reach.h"
+#include "engine/physics/dynamics/island_parts.h"
 #include "engine/physics/world/awake_bodies.h"
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace plumbline::physics {
 
 /// Walks the pairs of the bodies that move: what sleeps costs nothing.
-class PairWalk {
+class PairWalk : public IslandPoints {
 public:
     explicit PairWalk(BulletEngine& engine) : engine_(engine), nearest_(engine.nearest_pairs()) {}
 
@@ -22,11 +23,12 @@ public:
     /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
     /// two awake ones at the lower. Returns how often a pair was tested.
     std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
-    /// Finds the points of an island's bodies anew, within the step, for its part `step`. `manifolds` becomes those that
-    /// have points, in the order of collide().
     void collide_again(std::span<BodyRecord* const> bodies,
                        const CollideStep& step,
-                       std::vector<Manifold*>& manifolds);
+                       std::vector<Manifold*>& manifolds) override;
+    /// Finds the points of what has been woken since collide(), and lists all anew.
+    void collide_woken(AwakeBodies& bodies, std::vector<Manifold*>& touching);
+    void list(std::span<BodyRecord* const> bodies, std::vector<Manifold*>& manifolds) override;
     /// As collide() lists them, after a collide_again().
     void list_again(const AwakeBodies& bodies, std::vector<Manifold*>& touching);
     /// How many pairs the latest collide() left out of a crowd.
@@ -35,6 +37,7 @@ public:
 private:
     void complete_crowds(const AwakeBodies& bodies);
     void visit(BodyRecord& body, AwakeBodies& bodies);
+    bool visit_woken(AwakeBodies& bodies);
     bool keep(Pair& pair, AwakeBodies& bodies);
     void collide_pair(Pair& pair, AwakeBodies& bodies);
     void note_impact(BodyRecord& record, const PredictedChange& impact);

@@ -33,7 +33,11 @@ void list_joints(std::span<BodyRecord* const> bodies,
 }  // namespace
 
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
-    : parts_(parts), report_(parts.report), pairs_(parts.engine), sweep_(parts.joints) {
+    : parts_(parts),
+      report_(parts.report),
+      pairs_(parts.engine),
+      sweep_(parts.joints),
+      island_parts_(pairs_, solver_, parts.engine.world()) {
     take_rate();
 }
 
@@ -43,6 +47,7 @@ void SmallStepWorld::take_rate() {
     drop_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     bodies.make_boxes_stale();  // they reach as far as a step takes a body
     pairs_.set_step({.step_s = step_s_, .drop_m = drop_m_});
+    island_parts_.set_step({.step_s = step_s_, .drop_m = drop_m_});
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
@@ -75,8 +80,10 @@ void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
     report_.cost.interventions.left_out_pairs = pairs_.left_out();
     report_.cost.narrow_ms += laps_.lap_ms();
 
+    ahead_.clear();
+    if (features.continuous_collision) look_ahead(features);
     list_joints(bodies.dynamic(), parts_.joints, joined_);
-    builder_.build(bodies.dynamic(), touching_, joined_);
+    builder_.build(bodies.dynamic(), touching_, joined_, ahead_);
     solve_islands(features);
     report_.cost.solve_ms += laps_.lap_ms();
     if (want_contacts) {
@@ -139,8 +146,7 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features) {
     solver_.begin_step();
     bool found_again = false;
     for (Island& island : builder_.islands()) {
-        report_.islands.push_back(solve_in_parts(island, step));
-        found_again = found_again || step.parts > 1;
+        if (island_parts_.solve(island, step, report_.islands.emplace_back())) found_again = true;
         if (restore_if_invalid(island, step_s_)) ++report_.cost.interventions.restored_islands;
         for (BodyRecord* record : island.bodies)
             report_.cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
@@ -148,19 +154,22 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features) {
     if (found_again) pairs_.list_again(bodies, touching_);
 }
 
-IslandReport SmallStepWorld::solve_in_parts(Island& island, IslandStep& step) {
-    step.parts = parts_of_step(island, step.step_s);
-    const auto parts = static_cast<Real>(step.parts);
-    IslandReport report;
-    for (step.part = 0; step.part < step.parts; ++step.part) {
-        if (step.part > 0)
-            pairs_.collide_again(
-                island.bodies,
-                {.step_s = step_s_ / parts, .drop_m = drop_m_ / (parts * parts), .again = true},
-                island.manifolds);
-        report = solver_.solve(island, step);
+/// Which bodies may pass something unseen in this step, and what each meets first; that wakes.
+void SmallStepWorld::look_ahead(const WorldFeatures& features) {
+    const Outlook outlook{0, parts_.def.step_s, features.gyroscopic_torque};
+    for (BodyRecord* record : bodies.dynamic()) {
+        if (!record->joints.empty() || !outruns_points(*record, outlook)) continue;
+        const PredictedImpact impact = predicted_impact(parts_.engine.world(), *record, outlook);
+        const bool unknown = impact.other == nullptr && impact.share < 1;
+        ahead_.push_back({record, unknown ? record : impact.other});
+        if (impact.other != nullptr && sleeps(*impact.other)) bodies.wake(*impact.other);
     }
-    return report;
+    pairs_.collide_woken(bodies, touching_);
+    // Else all that flies side by side would be one island.
+    bool dropped = false;
+    for (const SweptPath& path : ahead_)
+        dropped = drop_points_ahead(*path.body, outlook) || dropped;
+    if (dropped) pairs_.list_again(bodies, touching_);
 }
 
 void SmallStepWorld::move_free_bodies(const WorldFeatures& features) {

@@ -9,6 +9,7 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"
+#include "engine/physics/dynamics/island_parts.h"
 #include "engine/physics/dynamics/islands.h"
 #include "engine/physics/world/awake_bodies.h"
 #include "engine/physics/world/pair_walk.h"
@@ -48,7 +49,7 @@ private:
     bool find_turning(const WorldFeatures& features);
     void refresh_box(BodyRecord& record);
     void solve_islands(const WorldFeatures& features);
-    IslandReport solve_in_parts(Island& island, IslandStep& step);
+    void look_ahead(const WorldFeatures& features);
     void move_free_bodies(const WorldFeatures& features);
     void stop_swept_bodies(std::span<BodyRecord* const> moved);
     void put_to_sleep(std::span<const Island> islands);
@@ -59,6 +60,7 @@ private:
     JointSweep sweep_;
     IslandBuilder builder_;
     IslandSolver solver_;
+    IslandParts island_parts_;
     LapTimer laps_;
     double gravity_mps2_{0};
     Real step_s_{0};
@@ -66,6 +68,7 @@ private:
 
     std::vector<Manifold*> touching_;
     std::vector<JointRecord*> joined_;
+    std::vector<SweptPath> ahead_;
     std::vector<BodyRecord*> turning_;
     std::vector<const Island*> resting_;
 };

@@ -28,7 +28,7 @@ struct Place {
 };
 
 Place place_on(const BodyPath& path, double share, const Vec3d& origin) {
-    const double gone = std::min(share, path.until);
+    const double gone = std::max(std::min(share, path.until) - path.since, 0.0);
     const glm::dmat3 turned(glm::mat3_cast(turn_by(path.turn_rad, gone)));
     return {turned * glm::dmat3(path.from.rotation),
             Vec3d(path.from.position_m) - origin + path.displacement_m * gone};
@@ -147,6 +147,12 @@ double safe_share(const Moment& now, const Motions& motions, const Vec3d& normal
     return safe;
 }
 
+/// Of the step, within which an impact is looked for.
+struct Shares {
+    double earliest{0};
+    double latest{1};
+};
+
 /// Whether what came to touch on the way is inside the other at its end.
 bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
     const std::optional<Separation> apart = separation_of(end.a, end.b, reach_m);
@@ -156,12 +162,12 @@ bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
 /// Advances two convex things; `at(share)` places both. `held`: their contacts are known.
 template <class At>
 std::optional<Impact> advance(
-    const At& at, const Motions& motions, double crossing_m, bool held, double latest) {
+    const At& at, const Motions& motions, double crossing_m, bool held, Shares within) {
     const double reach_m = motions.most();
     std::optional<Impact> touch;
     bool touched_from_start = true;              // or held by contacts
     double limit_m = -kLimitShare * crossing_m;  // what touches at the start goes on until then
-    double share = 0;
+    double share = within.earliest;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Moment now = at(share);
         const std::optional<Separation> apart = separation_of(now.a, now.b, reach_m);
@@ -179,21 +185,30 @@ std::optional<Impact> advance(
         if (!touches) goal_m = kTouchingShare * crossing_m / 2;
         if (touches && !touch) goal_m = limit_m - kNoiseShare * crossing_m;
         share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
-        if (share < latest) continue;
-        const bool stays = !held && touch && ends_overlapped(at(latest), reach_m, crossing_m);
+        if (share < within.latest) continue;
+        const bool stays =
+            !held && touch && ends_overlapped(at(within.latest), reach_m, crossing_m);
         return stays ? touch : std::nullopt;
     }
     return touch;
 }
 
+/// Whether what meets the triangle meets its face: what slides over a mesh comes by edges that lie in its surface.
+bool is_on_face(const MeshGeometry& mesh, std::uint32_t triangle, const Vec3d& normal) {
+    constexpr double kLeastAlong = 0.7;
+    const auto corner = [&](std::size_t i) { return mesh.corner_m(mesh.triangles[triangle], i); };
+    const Vec3d across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+    return std::abs(glm::dot(across, normal)) >= kLeastAlong * glm::length(across);
+}
+
 /// Impacts of two bodies, part by part.
 class Impacts {
 public:
-    Impacts(const MovingBody& a, const MovingBody& b, bool held, double latest)
+    Impacts(const MovingBody& a, const MovingBody& b, Known known, double latest)
         : a_(a),
           b_(b),
-          held_(held),
-          latest_(latest),
+          known_(known),
+          within_{std::max(a.path.since, b.path.since), latest},
           crossing_m_(std::min(a.crossing_m, b.crossing_m)) {}
 
     std::optional<Impact> find() {
@@ -209,8 +224,8 @@ public:
 
 private:
     void keep(const std::optional<Impact>& impact, double side) {
-        if (!impact || impact->share >= latest_) return;
-        latest_ = impact->share;
+        if (!impact || impact->share >= within_.latest) return;
+        within_.latest = impact->share;
         first_ = Impact{impact->share, impact->normal * side};
     }
 
@@ -228,7 +243,7 @@ private:
                               place_a.position_m,
                               place_b.position_m};
             };
-            keep(advance(at, motions, crossing_m_, held_, latest_), 1);
+            keep(advance(at, motions, crossing_m_, known_ == Known::Held, within_), 1);
         }
     }
 
@@ -264,14 +279,19 @@ private:
                               own.position_m,
                               place.position_m};
             };
-            keep(advance(at, motions, crossing_m_, held_, latest_), side);
+            const auto impact = advance(at, motions, crossing_m_, known_ == Known::Held, within_);
+            if (impact && known_ == Known::Touching) {
+                const glm::dmat3 axes = place_on(mesh_body.path, impact->share, origin).axes;
+                if (!is_on_face(mesh, triangle, glm::transpose(axes) * impact->normal)) return;
+            }
+            keep(impact, side);
         });
     }
 
     const MovingBody& a_;
     const MovingBody& b_;
-    bool held_;
-    double latest_;
+    Known known_;
+    Shares within_;
     double crossing_m_;
     std::optional<Impact> first_;
 };
@@ -280,9 +300,9 @@ private:
 
 std::optional<Impact> time_of_impact(const MovingBody& a,
                                      const MovingBody& b,
-                                     bool held,
+                                     Known known,
                                      double latest) {
-    return Impacts(a, b, held, latest).find();
+    return Impacts(a, b, known, latest).find();
 }
 
 Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path) {

@@ -13,7 +13,8 @@ struct BodyPath {
     Transform from{};               ///< mass frame
     Vec3d displacement_m{0, 0, 0};  ///< over the whole step
     Vec3d turn_rad{0, 0, 0};        ///< likewise: an axis times an angle
-    double until{1};                ///< a share: from then on it stands
+    double since{0};                ///< a share: when it is at `from`
+    double until{1};                ///< likewise: from then on it stands
 };
 
 /// What moves along a path, and the overlap from which on something crosses it: a share of its least inner radius.
@@ -28,7 +29,14 @@ struct Impact {
     Vec3d normal{0, 1, 0};  ///< unit, from b to a
 };
 
-/// The first impact of two bodies within the step, before `latest`. Bodies that touch at its start, or are `held` by
+/// What the step knows of two bodies' contact.
+enum class Known {
+    Nothing,
+    Touching,  ///< they touch when their paths begin, and may meet elsewhere
+    Held,      ///< contact points hold them on their whole paths
+};
+
+/// The first impact of two bodies within the step, before `latest` and after both paths began. Bodies that touch at its start, or are held by
 /// contact points, are up to their contacts: they have one only where they come to cross each other, that is to overlap
 /// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper.
 /// Those that overlap by more at its start are not stopped.
@@ -38,7 +46,7 @@ struct Impact {
 /// order in that time, so that bodies which turn about the point where they touch are followed in few steps.
 std::optional<Impact> time_of_impact(const MovingBody& a,
                                      const MovingBody& b,
-                                     bool held,
+                                     Known known,
                                      double latest);
 
 /// A box round all places of the geometry along its path.

@@ -130,6 +130,28 @@ void ContactBridge::share_lost(const ManifoldLoad& last,
     }
 }
 
+void ContactBridge::count_impulses(const ContactSet& contacts) {
+    for (const Entry& entry : entries_)
+        entry.point->normal_Ns += contacts.constraints[entry.constraint].total_Ns[entry.lane];
+}
+
+void ContactBridge::ease_loads(Real share) {
+    for (Manifold* manifold : manifolds_) {
+        ManifoldLoad& load = manifold->load;
+        if (load.normal_N <= 0) continue;
+        const Real kept = std::clamp(
+            lasting_load_N(*manifold) / load.normal_N, std::min(share, Real{1}), Real{1});
+        load.normal_N *= kept;
+        load.friction_N *= kept;
+        load.rolling_Nm *= kept;
+        for (ManifoldPoint& point : manifold->points) {
+            point.load.normal_N *= kept;
+            for (Real& friction_N : point.load.friction_N) friction_N *= kept;
+            point.load.twist_Nm *= kept;
+        }
+    }
+}
+
 void ContactBridge::write_back(const ContactSet& contacts, Real h) {
     const Real per_s = 1 / h;
     for (const Entry& entry : entries_) {

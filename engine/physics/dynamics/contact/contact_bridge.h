@@ -30,6 +30,11 @@ public:
     void add(Manifold& manifold, ManifoldEnds ends, Real h, ContactSet& contacts);
     /// Impulses and totals back to the points.
     void write_back(const ContactSet& contacts, Real h);
+    /// After sub-steps shorter than those to come: a mean force that stopped an impact within them would not fit. Each
+    /// manifold's load becomes at most `share` of it, or what it goes on carrying.
+    void ease_loads(Real share);
+    /// Of impacts, which leave no lasting load: into the points' sums over the step.
+    void count_impulses(const ContactSet& contacts);
     /// Which step the manifolds' loads are of.
     void serialize(Archive& archive) { archive(step_); }
 

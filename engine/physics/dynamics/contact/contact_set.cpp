@@ -70,7 +70,8 @@ void mark_depenetrated(SolverBody& a, SolverBody& b) {
 
 }  // namespace
 
-void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps) {
+void ContactSet::begin_step(
+    std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps, Real spring_s) {
     bodies_ = bodies;
     h_ = h;
     push_mps_ = push_mps;
@@ -79,6 +80,8 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps,
     const Real stiff_hz = kContactFrequency / h;
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
     against_immovable_ = softness_of(2 * stiff_hz, kContactDamping / 2, h);
+    for (Softness* softness : {&between_movable_, &against_immovable_})
+        softness->bias_per_s *= h / spring_s;
 
     measure_crowds();
     for (std::size_t first = 0; first < constraints.size();) {

@@ -20,7 +20,13 @@ public:
 
     /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that penetration
     /// pushes bodies apart, `bounce_mps` the slowest impact that restitution acts on.
-    void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps);
+    void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps) {
+        begin_step(bodies, h, push_mps, bounce_mps, h);
+    }
+    /// Penetration is pushed out as in sub-steps of `spring_s`: in far shorter ones it would be so fast that one sweep
+    /// does not take the speed back again.
+    void begin_step(
+        std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps, Real spring_s);
     /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
     /// Of all constraints, or of those that meet a body whose velocity the sweep before changed by much. Whether it changed one by

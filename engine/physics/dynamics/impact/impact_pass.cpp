@@ -160,12 +160,10 @@ void solve_impacts(std::span<ImpactPoint> impacts,
 
 void ImpactPass::begin_step(ContactSet& contacts,
                             std::span<SolverBody> bodies,
-                            Real threshold_mps,
-                            bool may_shift) {
+                            const ImpactSettings& settings) {
     contacts_ = &contacts;
     bodies_ = bodies;
-    threshold_mps_ = threshold_mps;
-    may_shift_ = may_shift;
+    settings_ = settings;
     pairs_.clear();
     const std::vector<ContactConstraint>& constraints = contacts.constraints;
     for (std::uint32_t i = 0; i < constraints.size();) {
@@ -173,7 +171,8 @@ void ImpactPass::begin_step(ContactSet& contacts,
         while (end < constraints.size() && constraints[end].a == constraints[i].a &&
                constraints[end].b == constraints[i].b)
             ++end;
-        if (constraints[i].restitution > 0) pairs_.push_back({i, end - i});
+        if (settings.inelastic_too || constraints[i].restitution > 0)
+            pairs_.push_back({i, end - i});
         i = end;
     }
 }
@@ -212,10 +211,10 @@ bool ImpactPass::gather(const Pair& pair) {
             const Real separation = constraint.separation_m[static_cast<std::size_t>(i)];
             const Real reached_mps = std::min(speed, speed + opening_mps2 * h);
             if (separation + h * reached_mps > kTouching_m) continue;
-            if (speed < -threshold_mps_) {
+            if (speed < -settings_.threshold_mps) {
                 fast = true;
                 predict_impact(
-                    constraint, {separation, speed, opening_mps2}, h, may_shift_, impact);
+                    constraint, {separation, speed, opening_mps2}, h, settings_.may_shift, impact);
             }
             impacts_.push_back(impact);
         }

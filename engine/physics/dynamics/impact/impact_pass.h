@@ -28,14 +28,19 @@ struct ImpactPoint {
     Real tangent_Ns[2]{0, 0};
 };
 
+struct ImpactSettings {
+    Real threshold_mps{0};  ///< slower impacts do not bounce
+    bool may_shift{
+        true};  ///< no stiff spring, which a shift of a sphere would stretch, holds a body
+    bool inelastic_too{false};  ///< pairs without restitution are not left to the contacts
+};
+
 class ImpactPass {
 public:
-    /// Finds the pairs that may bounce. `threshold_mps`: slower impacts do not bounce. `may_shift`: no
-    /// stiff spring, which a shift of a sphere would stretch, holds a body.
+    /// Finds the pairs that may bounce.
     void begin_step(ContactSet& contacts,
                     std::span<SolverBody> bodies,
-                    Real threshold_mps,
-                    bool may_shift);
+                    const ImpactSettings& settings);
     bool needed() const { return !pairs_.empty(); }
     /// Returns the number of impacts solved.
     std::uint32_t run();
@@ -50,8 +55,7 @@ private:
 
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;
-    Real threshold_mps_{0};
-    bool may_shift_{true};
+    ImpactSettings settings_{};
     std::vector<Pair> pairs_;
     std::vector<ImpactPoint> impacts_;  ///< of the pair at hand
 };

@@ -14,7 +14,7 @@ SolverBody ball_of(Real mass_kg, const Vec3& velocity_mps) {
 }
 
 /// Two balls that touch each other; the world is the first body.
-struct Pair {
+struct TwoBodies {
     std::vector<SolverBody> bodies{SolverBody{}, ball_of(2, {3, 0, 0}), ball_of(1, {-1, 0, 0})};
     std::vector<ContactConstraint> contacts{ContactConstraint{.a = 1, .b = 2, .count = 1}};
     EnergyGuard guard;
@@ -37,7 +37,7 @@ struct Pair {
 };
 
 TEST(EnergyGuard, LetsAnElasticBlowPass) {
-    Pair pair;
+    TwoBodies pair;
     pair.begin();
     const double before = pair.energy_J();
     // Relative speed 4 is turned round: v1 = 1/3, v2 = 13/3.
@@ -48,7 +48,7 @@ TEST(EnergyGuard, LetsAnElasticBlowPass) {
 }
 
 TEST(EnergyGuard, TakesOutWhatNothingGaveAndKeepsMomentum) {
-    Pair pair;
+    TwoBodies pair;
     pair.begin();
     const double before = pair.energy_J();
     const Vec3 momentum = pair.momentum();
@@ -62,7 +62,7 @@ TEST(EnergyGuard, TakesOutWhatNothingGaveAndKeepsMomentum) {
 }
 
 TEST(EnergyGuard, KnowsTheWorkOfGravity) {
-    Pair pair;
+    TwoBodies pair;
     pair.contacts.push_back({.a = 1, .b = kWorldBody, .count = 1});
     pair.bodies[1].velocity_mps = pair.bodies[2].velocity_mps = {0, 0, 0};
     for (SolverBody& body : pair.bodies) body.acceleration_mps2 = {0, -9.81_r, 0};
@@ -78,7 +78,7 @@ TEST(EnergyGuard, KnowsTheWorkOfGravity) {
 }
 
 TEST(EnergyGuard, LeavesWhatAMachineDrivesAlone) {
-    Pair pair;
+    TwoBodies pair;
     pair.contacts.push_back({.a = 1, .b = kWorldBody, .count = 1});
     pair.bodies[kWorldBody].velocity_mps = {0, 3, 0};  // a lift
     pair.begin();

@@ -1,0 +1,66 @@
+// One island's step in parts: up to each impact of its fast bodies, and wherever points would lag behind.
+//
+// What moves farther than its own inner radius within a step cannot be solved by the points found when the step begins:
+// they are where it was. So the step is cut where the sweep says that such a body meets something. There the points are
+// found anew, the impact is solved (restitution and friction, all bodies at the same moment), and the rest of the step
+// goes on from it. Nothing of the step is lost.
+#pragma once
+
+#include "engine/physics/collision/pair_reach.h"
+#include "engine/physics/dynamics/body_sweep.h"
+#include "engine/physics/dynamics/islands.h"
+
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// What finds the contact points of an island's bodies.
+class IslandPoints {
+public:
+    virtual ~IslandPoints() = default;
+    /// Finds the points of an island's bodies anew, within the step, for its part `step`. `manifolds` becomes those that
+    /// have points, in the order in which the step began.
+    virtual void collide_again(std::span<BodyRecord* const> bodies,
+                               const CollideStep& step,
+                               std::vector<Manifold*>& manifolds) = 0;
+    /// Lists the manifolds that have points, likewise.
+    virtual void list(std::span<BodyRecord* const> bodies, std::vector<Manifold*>& manifolds) = 0;
+};
+
+/// Drops the points of a body that outruns them, where it touches nothing: they are off as soon as it turns, and what
+/// it meets is predicted. Whether there were any.
+bool drop_points_ahead(const BodyRecord& record, const Outlook& outlook);
+
+class IslandParts {
+public:
+    IslandParts(IslandPoints& points, IslandSolver& solver, const StepWorld& world)
+        : points_(points), solver_(solver), world_(world) {}
+
+    void set_step(const CollideStep& step) { step_ = step; }
+    /// Whether its points have been found anew: lists of manifolds are out of date.
+    bool solve(Island& island, IslandStep& step, IslandReport& report);
+
+private:
+    /// A time of the step, in shares of it.
+    struct Span {
+        double from{0};
+        double to{1};
+
+        bool is_whole() const { return from == 0 && to == 1; }
+    };
+    void solve_up_to_impacts(Island& island, IslandStep& step, double& now);
+    double next_impact(const Island& island, const Outlook& outlook) const;
+    void solve_span(Island& island, IslandStep& step, const Span& span);
+    void find_points(Island& island, double share);
+    void drop_points_ahead(Island& island, const Outlook& outlook);
+
+    IslandPoints& points_;
+    IslandSolver& solver_;
+    const StepWorld& world_;
+    CollideStep step_{};
+    IslandReport report_{};
+    bool found_again_{false};
+};
+
+}  // namespace plumbline::physics
