@@ -29,7 +29,7 @@ struct Substitutes {
 /// resident set, most of it machine code and its tables.
 inline constexpr std::size_t kProgramBytes = 1250 * 1024;
 /// Of all programs. The largest scene draws a frame with 48.
-inline constexpr std::size_t kMostProgramBytes = 72 * kProgramBytes;
+inline constexpr std::size_t kMostProgramBytes = 64 * kProgramBytes;
 
 class ShaderLibrary {
 public:

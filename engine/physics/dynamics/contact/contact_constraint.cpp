@@ -11,19 +11,6 @@ constexpr Real kRedundancy = 0.01_r;
 
 using Matrix = LaneMatrix;
 
-Real mass_along(const SolverBody& a,
-                const SolverBody& b,
-                const Vec3& arm_a,
-                const Vec3& arm_b,
-                const Vec3& direction) {
-    const Vec3 turn_a = glm::cross(arm_a, direction);
-    const Vec3 turn_b = glm::cross(arm_b, direction);
-    const Real inverse = a.inverse_mass + b.inverse_mass +
-                         glm::dot(turn_a, a.inverse_inertia * turn_a) +
-                         glm::dot(turn_b, b.inverse_inertia * turn_b);
-    return inverse > 0 ? 1 / inverse : Real{0};
-}
-
 /// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting.
 Matrix inverse_of(Matrix m) {
     Matrix inverse{};
@@ -67,10 +54,19 @@ void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const 
         constraint.twist_arm_m += weights[static_cast<std::size_t>(i)] *
                                   glm::length(constraint.arm_a(i) - constraint.center_a);
     }
+    Vec3 turn_a[2];
+    Vec3 turn_b[2];
     for (int t = 0; t < 2; ++t) {
-        constraint.tangent_mass[t] =
-            mass_along(a, b, constraint.center_a, constraint.center_b, constraint.tangent[t]);
+        turn_a[t] = glm::cross(constraint.center_a, constraint.tangent[t]);
+        turn_b[t] = glm::cross(constraint.center_b, constraint.tangent[t]);
     }
+    const auto turned = [&](int s, int t) {
+        return glm::dot(turn_a[s], a.inverse_inertia * turn_a[t]) +
+               glm::dot(turn_b[s], b.inverse_inertia * turn_b[t]);
+    };
+    for (int t = 0; t < 2; ++t)
+        constraint.slip_response[t] = a.inverse_mass + b.inverse_mass + turned(t, t);
+    constraint.slip_coupling = turned(0, 1);
     const Real moment = inverse_moment_along(a, b, constraint.normal);
     constraint.twist_mass = moment > 0 ? 1 / moment : Real{0};
 }

@@ -96,7 +96,9 @@ struct alignas(16) ContactConstraint {
     Vec3 tangent[2]{};
     Vec3 center_a{0, 0, 0};  ///< arms of the centre
     Vec3 center_b{0, 0, 0};
-    Real tangent_mass[2]{0, 0};
+    /// Change of the slip per impulse, 1/kg: along both tangents, and along one by an impulse along the other.
+    Real slip_response[2]{0, 0};
+    Real slip_coupling{0};
     Real twist_mass{0};
     Real twist_arm_m{0};  ///< mean distance of the load from its centre
     Real tangent_Ns[2]{0, 0};

@@ -9,6 +9,24 @@ namespace {
 
 constexpr Real kMuch = 0.005_r;  ///< change of what sticks, as a share of its limit
 
+/// What stops the slip, whose two directions turn the bodies differently: the full response's inverse.
+Vec2 stopping_impulse(const ContactConstraint& constraint, const Vec2& slip) {
+    const auto& [first, second] = constraint.slip_response;
+    const Real coupling = constraint.slip_coupling;
+    const Real determinant = first * second - coupling * coupling;
+    if (!(determinant > 0)) return {0, 0};
+    return Vec2{second * slip.x - coupling * slip.y, first * slip.y - coupling * slip.x} /
+           determinant;
+}
+
+/// What acts straight against the slip and stops it along itself: Coulomb's direction of what slides.
+Vec2 opposing_impulse(const ContactConstraint& constraint, const Vec2& slip) {
+    const auto& [first, second] = constraint.slip_response;
+    const Real along = first * slip.x * slip.x + second * slip.y * slip.y +
+                       2 * constraint.slip_coupling * slip.x * slip.y;
+    return along > 0 ? slip * (glm::dot(slip, slip) / along) : Vec2{0, 0};
+}
+
 }  // namespace
 
 /// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
@@ -33,11 +51,10 @@ bool ContactSet::solve_friction(ContactConstraint& constraint) {
     } else if (constraint.radius_b > 0) {
         center_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
     }
-    const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
-    Real next[2];
-    for (int t = 0; t < 2; ++t)
-        next[t] = constraint.tangent_Ns[t] -
-                  constraint.tangent_mass[t] * glm::dot(slip, constraint.tangent[t]);
+    const Vec3 slip_world = a.velocity_at(center_a) - b.velocity_at(center_b);
+    const Vec2 slip{glm::dot(slip_world, constraint.tangent[0]),
+                    glm::dot(slip_world, constraint.tangent[1])};
+    const Vec2 before{constraint.tangent_Ns[0], constraint.tangent_Ns[1]};
     const Real limit = constraint.friction * sum_of(constraint.normal_Ns);
     const Real twist_limit = limit * constraint.twist_arm_m;
     Real twist = 0;
@@ -46,21 +63,26 @@ bool ContactSet::solve_friction(ContactConstraint& constraint) {
         twist = constraint.twist_Nms - constraint.twist_mass * spin;
     }
     const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
-    const Real squared = next[0] * next[0] + next[1] * next[1];
-    const Real used = squared + twist_share * twist_share * limit * limit;
-    const bool slides = used > limit * limit;
+    const auto used_by = [&](const Vec2& force_Ns) {
+        return glm::dot(force_Ns, force_Ns) + twist_share * twist_share * limit * limit;
+    };
+    Vec2 next = before - stopping_impulse(constraint, slip);
+    const bool slides = used_by(next) > limit * limit;
     if (slides) {
-        const Real kept = limit / std::sqrt(used);
-        next[0] *= kept;
-        next[1] *= kept;
-        twist *= kept;
+        next = before - opposing_impulse(constraint, slip);
+        const Real used = used_by(next);
+        if (used > limit * limit) {
+            const Real kept = limit / std::sqrt(used);
+            next *= kept;
+            twist *= kept;
+        }
     }
-    const Vec3 force = constraint.tangent[0] * (next[0] - constraint.tangent_Ns[0]) +
-                       constraint.tangent[1] * (next[1] - constraint.tangent_Ns[1]);
+    const Vec3 force =
+        constraint.tangent[0] * (next.x - before.x) + constraint.tangent[1] * (next.y - before.y);
     const Vec3 turning = constraint.normal * (twist - constraint.twist_Nms);
     const bool changed = !slides && glm::dot(force, force) > kMuch * kMuch * limit * limit;
-    constraint.tangent_Ns[0] = next[0];
-    constraint.tangent_Ns[1] = next[1];
+    constraint.tangent_Ns[0] = next.x;
+    constraint.tangent_Ns[1] = next.y;
     constraint.twist_Nms = twist;
     const Vec3 change_a = force * a.inverse_mass;
     const Vec3 change_b = force * b.inverse_mass;

@@ -65,8 +65,9 @@ TEST(ContactConstraint, FrictionStandsAtTheCentreOfTheLoad) {
     EXPECT_NEAR(
         static_cast<double>(glm::length(on.contact.center_a - Vec3{0, -0.5_r, 0})), 0, 1e-6);
     EXPECT_NEAR(static_cast<double>(on.contact.twist_arm_m), std::sqrt(0.5), 1e-6);
-    // 1 / (1/m + |r x t|^2 / I), half a metre below the centre of mass.
-    EXPECT_NEAR(static_cast<double>(on.contact.tangent_mass[0]), 1 / (0.5 + 0.25 * 3), 1e-6);
+    // 1/m + |r x t|^2 / I, half a metre below the centre of mass.
+    EXPECT_NEAR(static_cast<double>(on.contact.slip_response[0]), 0.5 + 0.25 * 3, 1e-6);
+    EXPECT_NEAR(static_cast<double>(on.contact.slip_coupling), 0, 1e-6);
     EXPECT_NEAR(static_cast<double>(on.contact.twist_mass), 1.0 / 3, 1e-6);
     on.contact.normal_Ns = {3, 1, 0, 0};
     on.prepare_rigid();
@@ -76,9 +77,9 @@ TEST(ContactConstraint, FrictionStandsAtTheCentreOfTheLoad) {
         1e-6);
     EXPECT_NEAR(static_cast<double>(on.contact.twist_arm_m), 0.75 * 0.25 + 0.25 * 0.75, 1e-6);
     on.contact.friction = 0;
-    on.contact.tangent_mass[0] = -7;
+    on.contact.slip_response[0] = -7;
     on.prepare_rigid();
-    EXPECT_EQ(on.contact.tangent_mass[0], Real{-7}) << "smooth: not looked at";
+    EXPECT_EQ(on.contact.slip_response[0], Real{-7}) << "smooth: not looked at";
 }
 
 }  // namespace
