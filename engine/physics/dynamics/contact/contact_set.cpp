@@ -14,8 +14,11 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in ne
 constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
-/// What a sweep changes a speed by is much as a share of the slowest impact and, beyond that, of the bodies' own speed.
+/// What a sweep changes a speed by is much as a share of the slowest impact and, beyond that, of the bodies' own speed. Few bodies
+/// are swept until less is left: it costs little.
 constexpr Real kRestless = 0.3_r;
+constexpr Real kRestlessOfFew = 0.1_r;
+constexpr std::size_t kFewBodies = 64;
 constexpr Real kRestlessOfSpeed = 0.1_r;
 constexpr Real kCrowd = 2;  ///< stiffness that one sweep still solves stably: of bricks in a wall
 constexpr Real kOut_m = 1e-5_r;  ///< what bounced and will be no deeper is out
@@ -313,7 +316,8 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
 
 /// Whether a sweep that changed the speed at the contact by so much left its bodies far from where they settle.
 bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) const {
-    const Real beyond_mps = changed_mps - kRestless * bounce_mps_;
+    const Real share = bodies_.size() <= kFewBodies ? kRestlessOfFew : kRestless;
+    const Real beyond_mps = changed_mps - share * bounce_mps_;
     if (beyond_mps <= 0) return false;
     const Vec3& of_a = bodies_[constraint.a].velocity_mps;
     const Vec3& of_b = bodies_[constraint.b].velocity_mps;
