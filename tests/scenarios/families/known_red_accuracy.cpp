@@ -57,13 +57,6 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      0.36,
      std::nullopt,
      "as the flip"},
-    {"Invariance.A40TheWorldMayBeTurned",
-     "A40 23 turns, sliding box",
-     0.0028,
-     0.0028,
-     "the two directions of a point's friction have masses of their own: where the slip lies "
-     "between "
-     "them, friction is not quite opposite to it"},
     {"Invariance.A43TheWorldMayBeLargerOrSmaller",
      "A43 0.01 times as long, tower of five",
      0.0015,
