@@ -13,6 +13,11 @@ constexpr Real kLeastGyroSpin_radps = 1e-2_r;
 constexpr Real kSlowestBounce_mps = 1e-3_r;
 /// Of one sub-step, with bias: an impact reaches as many bodies within it. What rests needs one.
 constexpr int kMostSweeps = 8;
+/// Of the slowest impact: what a sweep changes a speed by for another to follow. Few bodies without joints are swept until less
+/// is left: it costs little.
+constexpr Real kRestless = 0.3_r;
+constexpr Real kRestlessOfFew = 0.1_r;
+constexpr std::size_t kFewBodies = 64;
 
 /// Many bodies in one place push each other in rows, and what each pair may give adds up: none
 /// leaves faster than one pair may push, or than it came. Whether that slowed it.
@@ -90,7 +95,13 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     h_ = static_cast<Real>(h);
     const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
     const Real spring_s = settings.spring_s > 0 ? static_cast<Real>(settings.spring_s) : h_;
-    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps, spring_s);
+    const bool sweeps_on = joints.empty() && bodies.size() <= kFewBodies;
+    contacts.begin_step(bodies,
+                        {.h = h_,
+                         .spring_s = spring_s,
+                         .push_mps = settings.push_mps,
+                         .bounce_mps = bounce_mps,
+                         .restless_mps = bounce_mps * (sweeps_on ? kRestlessOfFew : kRestless)});
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
     impacts_.begin_step(
@@ -116,7 +127,8 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
     report_ = {};
     h_ = static_cast<Real>(settings.step_s);
     const Real bounce_mps = 2 * settings.gravity_mps2 * rest_s + kSlowestBounce_mps;
-    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
+    contacts.begin_step(
+        bodies, {.h = h_, .spring_s = h_, .push_mps = settings.push_mps, .bounce_mps = bounce_mps});
     impacts_.begin_step(
         contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = false, .inelastic_too = true});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
@@ -145,9 +157,11 @@ void IslandLoop::substep() {
 
 void IslandLoop::solve_velocities() {
     if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
+    using Sweep = ContactSet::Sweep;
     bool is_restless = true;
     for (int i = 0; i < settings_.iterations || (is_restless && i < kMostSweeps); ++i) {
-        is_restless = contacts.sweep_with_bias(i < settings_.iterations || !joints.empty());
+        const Sweep others = joints.empty() ? Sweep::Restless : Sweep::BetweenJoints;
+        is_restless = contacts.sweep_with_bias(i < settings_.iterations ? Sweep::First : others);
         if (!joints.empty()) joint_system_.solve_velocities();
         hold_along_axes(held, bodies);
     }

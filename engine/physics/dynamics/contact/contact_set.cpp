@@ -14,11 +14,7 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in ne
 constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
-/// What a sweep changes a speed by is much as a share of the slowest impact and, beyond that, of the bodies' own speed. Few bodies
-/// are swept until less is left: it costs little.
-constexpr Real kRestless = 0.3_r;
-constexpr Real kRestlessOfFew = 0.1_r;
-constexpr std::size_t kFewBodies = 64;
+/// What a sweep changes a speed by is much beyond this share of the bodies' own speed.
 constexpr Real kRestlessOfSpeed = 0.1_r;
 constexpr Real kCrowd = 2;  ///< stiffness that one sweep still solves stably: of bricks in a wall
 constexpr Real kOut_m = 1e-5_r;  ///< what bounced and will be no deeper is out
@@ -73,12 +69,13 @@ void mark_depenetrated(SolverBody& a, SolverBody& b) {
 
 }  // namespace
 
-void ContactSet::begin_step(
-    std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps, Real spring_s) {
+void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& settings) {
+    const auto& [h, spring_s, push_mps, bounce_mps, restless_mps] = settings;
     bodies_ = bodies;
     h_ = h;
     push_mps_ = push_mps;
     bounce_mps_ = bounce_mps;
+    restless_mps_ = restless_mps;
     row_solves = 0;
     const Real stiff_hz = kContactFrequency / h;
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
@@ -260,7 +257,9 @@ Real ContactSet::solve_with_bias(ContactConstraint& constraint) {
     }
     if (!solved) next = projected(constraint, wanted, compliance);
     const NormalChange change = apply_normal(constraint, a, b, next);
-    if (change.gained_Ns > 0) {
+    if (is_between_joints_) {
+        // What contacts and joints push to and fro is no steady force.
+    } else if (change.gained_Ns > 0) {
         hold_against(a, constraint.normal, change.gained_Ns * a.inverse_mass);
         hold_against(b, -constraint.normal, change.gained_Ns * b.inverse_mass);
     } else {
@@ -316,8 +315,7 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
 
 /// Whether a sweep that changed the speed at the contact by so much left its bodies far from where they settle.
 bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) const {
-    const Real share = bodies_.size() <= kFewBodies ? kRestlessOfFew : kRestless;
-    const Real beyond_mps = changed_mps - share * bounce_mps_;
+    const Real beyond_mps = changed_mps - restless_mps_;
     if (beyond_mps <= 0) return false;
     const Vec3& of_a = bodies_[constraint.a].velocity_mps;
     const Vec3& of_b = bodies_[constraint.b].velocity_mps;
@@ -325,13 +323,16 @@ bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) 
     return beyond_mps * beyond_mps > kRestlessOfSpeed * kRestlessOfSpeed * speed2;
 }
 
-bool ContactSet::sweep_with_bias(bool all) {
+bool ContactSet::sweep_with_bias(Sweep sweep) {
     bool any = false;
+    is_between_joints_ = sweep == Sweep::BetweenJoints;
     std::swap(was_restless_, is_restless_);
     is_restless_.assign(bodies_.size(), false);
     for (const std::uint32_t index : order_) {
         ContactConstraint& constraint = constraints[index];
-        if (!all && !was_restless_[constraint.a] && !was_restless_[constraint.b]) continue;
+        if (sweep == Sweep::Restless && !was_restless_[constraint.a] &&
+            !was_restless_[constraint.b])
+            continue;
         row_solves += static_cast<std::uint64_t>(constraint.count);
         if (!is_much(solve_with_bias(constraint), constraint)) continue;
         any = true;

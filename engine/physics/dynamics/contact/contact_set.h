@@ -14,24 +14,27 @@
 
 namespace plumbline::physics {
 
+struct SweepSettings {
+    Real h{1.0_r / 240};         ///< the sub-step, s
+    Real spring_s{1.0_r / 240};  ///< the sub-step that contacts are made for
+    Real push_mps{3};            ///< the fastest that penetration pushes bodies apart
+    Real bounce_mps{1e-3_r};     ///< the slowest impact that restitution acts on
+    Real restless_mps{1e-3_r};   ///< what a sweep changes a speed by at least for another to follow
+};
+
 class ContactSet {
 public:
     std::vector<ContactConstraint> constraints;
 
-    /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that penetration
-    /// pushes bodies apart, `bounce_mps` the slowest impact that restitution acts on.
-    void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps) {
-        begin_step(bodies, h, push_mps, bounce_mps, h);
-    }
-    /// Penetration is pushed out as in sub-steps of `spring_s`: in far shorter ones it would be so fast that one sweep
-    /// does not take the speed back again.
-    void begin_step(
-        std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps, Real spring_s);
+    /// Masses and the order of the sweeps.
+    void begin_step(std::span<SolverBody> bodies, const SweepSettings& settings);
     /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
-    /// Of all constraints, or of those that meet a body whose velocity the sweep before changed by much. Whether it changed one by
-    /// much.
-    bool sweep_with_bias(bool all);
+    /// A sub-step's first sweeps with bias are of all constraints; others of those that meet a body whose velocity the sweep
+    /// before changed by much, or, between joints' solutions, of all again.
+    enum class Sweep : std::uint8_t { First, Restless, BetweenJoints };
+    /// Whether it changed a velocity by much.
+    bool sweep_with_bias(Sweep sweep);
     void relax();
     /// Adds what the constraints hold to their totals.
     void end_substep();
@@ -59,9 +62,11 @@ private:
     std::vector<bool> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
+    bool is_between_joints_{false};
     Real h_{0};
     Real push_mps_{3};
     Real bounce_mps_{0};
+    Real restless_mps_{0};
 };
 
 }  // namespace plumbline::physics

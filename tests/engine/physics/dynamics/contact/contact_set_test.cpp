@@ -78,7 +78,7 @@ struct FreePair {
         return Vec3d(bodies[1].delta_position_m) * mass(1) +
                Vec3d(bodies[2].delta_position_m) * mass(2);
     }
-    void begin() { contacts.begin_step(bodies, 1.0_r / 240, 3, 1e-3_r); }
+    void begin() { contacts.begin_step(bodies, {}); }
 };
 
 TEST(ContactSet, SweepsKeepTheMomentumOfFreeBodies) {
@@ -89,7 +89,7 @@ TEST(ContactSet, SweepsKeepTheMomentumOfFreeBodies) {
         const Vec3d momentum = pair.momentum();
         const Vec3d angular = pair.angular_momentum();
         for (int sweep = 0; sweep < 3; ++sweep) {
-            pair.contacts.sweep_with_bias(true);
+            pair.contacts.sweep_with_bias(ContactSet::Sweep::First);
             EXPECT_LT(glm::length(pair.momentum() - momentum), by_precision(2e-5, 1e-13));
             EXPECT_LT(glm::length(pair.angular_momentum() - angular), by_precision(2e-5, 1e-13));
             pair.contacts.relax();
@@ -107,7 +107,7 @@ TEST(ContactSet, ImpulsesStayWithinTheirLimits) {
         FreePair pair(random);
         pair.begin();
         for (int sweep = 0; sweep < 3; ++sweep) {
-            pair.contacts.sweep_with_bias(true);
+            pair.contacts.sweep_with_bias(ContactSet::Sweep::First);
             pair.contacts.relax();
             const ContactConstraint& constraint = pair.constraint();
             for (Real normal_Ns : constraint.normal_Ns) EXPECT_GE(normal_Ns, 0);
@@ -153,7 +153,7 @@ TEST(ContactSet, SweepsNeverAddEnergyWithoutOverlap) {
             return sum;
         };
         const double before = energy();
-        pair.contacts.sweep_with_bias(true);
+        pair.contacts.sweep_with_bias(ContactSet::Sweep::First);
         pair.contacts.relax();
         EXPECT_LE(energy(), before * (1 + 1e-5));
     }
@@ -167,7 +167,7 @@ TEST(ContactSet, PointsThatStayApartChangeNothing) {
             pair.constraint().start_separation_m[static_cast<std::size_t>(i)] = 1;
         pair.begin();
         const std::vector<SolverBody> before = pair.bodies;
-        pair.contacts.sweep_with_bias(true);
+        pair.contacts.sweep_with_bias(ContactSet::Sweep::First);
         pair.contacts.relax();
         pair.contacts.end_substep();
         for (std::size_t i = 1; i <= 2; ++i) {
@@ -344,7 +344,7 @@ struct FallingStack {
             set_lane(constraint.offset_b, 0, {0, i == 0 ? Real{0} : 0.5_r, 0});
             contacts.constraints.push_back(constraint);
         }
-        contacts.begin_step(bodies, 1.0_r / 240, 3, 1e-3_r);
+        contacts.begin_step(bodies, {});
     }
     Real fastest_mps() const {
         Real most = 0;
@@ -357,7 +357,8 @@ TEST(ContactSet, SweepsOfWhatIsRestlessStopAFallingStack) {
     FallingStack stack(5, 2);
     int sweeps = 0;
     for (bool is_restless = true; is_restless && sweeps < 100; ++sweeps)
-        is_restless = stack.contacts.sweep_with_bias(sweeps == 0);
+        is_restless = stack.contacts.sweep_with_bias(sweeps == 0 ? ContactSet::Sweep::First
+                                                                 : ContactSet::Sweep::Restless);
     EXPECT_GT(sweeps, 2);
     EXPECT_LT(sweeps, 100);
     // A tenth of what each still has may stay.
@@ -366,9 +367,9 @@ TEST(ContactSet, SweepsOfWhatIsRestlessStopAFallingStack) {
 
 TEST(ContactSet, WhatRestsIsSweptOnce) {
     FallingStack stack(5, 1e-5_r);
-    EXPECT_FALSE(stack.contacts.sweep_with_bias(true));
+    EXPECT_FALSE(stack.contacts.sweep_with_bias(ContactSet::Sweep::First));
     const std::uint64_t rows = stack.contacts.row_solves;
-    EXPECT_FALSE(stack.contacts.sweep_with_bias(false));
+    EXPECT_FALSE(stack.contacts.sweep_with_bias(ContactSet::Sweep::Restless));
     EXPECT_EQ(stack.contacts.row_solves, rows);
 }
 
@@ -388,14 +389,14 @@ TEST(ContactSet, ConstraintsOfAPairShareItsStiffness) {
             constraint.start_separation_m[0] = -0.001_r;
             contacts.constraints.push_back(constraint);
         }
-        contacts.begin_step(bodies, 1.0_r / 240, 3, 1e-3_r);
+        contacts.begin_step(bodies, {});
         for (int i = 0; i < 200; ++i) {
             bodies[1].velocity_mps = {0, 0, 0};
             contacts.warm_start();
             bodies[1].velocity_mps = bodies[1].velocity_increment_mps;
             bodies[1].velocity_increment_mps = {0, 0, 0};
             bodies[1].velocity_mps.y -= 0.01_r;
-            contacts.sweep_with_bias(true);
+            contacts.sweep_with_bias(ContactSet::Sweep::First);
         }
         return static_cast<double>(bodies[1].velocity_mps.y);
     };
