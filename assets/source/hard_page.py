@@ -51,14 +51,13 @@ KNOWN_RED = {
         ("max_joint_error_m at most 0.01", 0.0269, "as the free edge cracks like a whip: 54 m/s at 6.1 s"),
     ],
     "H34": [
-        ("joint_error_m at most 0.0873", 0.0915, "a limit is passed by 5 degrees as the ragdolls land"),
         ("penetration_m at most 0.01", 0.0393, "limbs as the pit fills, and where others lie on them"),
     ],
     "H43": [
         ("penetration_m at most 0.02", 0.0208, "the first of the chain, in the steps in which it is pressed hardest"),
     ],
     "H44": [
-        ("penetration_m at most 0.02", 0.0551, "the chain as it comes back from 100 m"),
+        ("penetration_m at most 0.02", 0.0552, "the chain as it comes back from 100 m"),
         (BRAKED, 0.121, "the same"),
     ],
     "H54": [
@@ -84,7 +83,7 @@ KNOWN_RED = {
         ("penetration_m at most 0.004", 0.00488, "the box as it lands on the rim of the drum"),
     ],
     "D07": [
-        ("height_m of lying_* within 0.0001 of 0.027, from 1.5 s", 0.02689,
+        ("height_m of lying_* within 0.0001 of 0.027, from 1.5 s", 0.026885,
          "the lying cylinders sink by a tenth of a millimetre: contacts of 1 cm things are as soft as those of large ones"),
         ("penetration_m at most 0.0001", 0.000261, "the same"),
     ],
@@ -121,7 +120,7 @@ KNOWN_RED = {
          "a limb that lies on its cone and its twist limit at once trembles"),
     ],
     "D22": [
-        ("penetration_m at most 0.001, from 13.8 s", 0.0011, "a creeping block in a sleeping cube"),
+        ("penetration_m at most 0.001, from 13.8 s", 0.00111, "a creeping block in a sleeping cube"),
     ],
 }
 
@@ -159,6 +158,8 @@ A looser limit is a commit of its own that says so, and a line here.
 | mouse motion in one report (C9) | 1000 counts, and 1000 a frame | 4000, a frame as far as the mouse went | fast mice at low frame rates pass 1000; a report of 5000 is still dropped |
 | `outputs.py`, a reader that leaves early (`scenes` into `head`) | exit code 1 and a message | code 0, silence | as other programs do: what the reader wanted it has |
 | `shader_blocks_gl_test.cpp`, variants of the mesh shader | every material, light and air | every material and light, the three kinds of air in turns | the whole product took longer than the test may; air and light meet in one material or another |
+| `known_red_accuracy.cpp`, A20 of a ball with e = 0.3 from 5 m, fourth apex (0.3 mm) | 0.24 of it; with 4 sub-steps 0.5 % | 0.46; 0.71 | a fast ball goes on after its impact within the step, and meets the ground at other moments of its sub-steps than before |
+| H31 in float64, energy gain | 1 % | 2.2 % | came with rows N6 and N9 of FAULTS.md; float32 is inside |
 | H12 (nightly) | inside its rules | mean displacement 0.258 m of 0.1 | came with contacts of our own, and went on from 0.2 with impacts that reach the ground within a sub-step; not explained further |
 | H15, known red: penetration | reaches 2.1 mm | 5.2 mm | the topmost pair of cards stays on now, and presses while it settles; before it slid off |
 | H17, known red: penetration | reaches 8.8 mm | 9.02 mm | other impacts than before, as they reach the ground within a sub-step |

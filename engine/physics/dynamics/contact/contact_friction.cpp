@@ -9,6 +9,28 @@ namespace {
 
 constexpr Real kMuch = 0.005_r;  ///< change of what sticks, as a share of its limit
 
+/// Arms of the place where friction acts now.
+struct Arms {
+    Vec3 of_a;
+    Vec3 of_b;
+};
+
+Arms arms_of(const ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
+    Arms arms{constraint.center_a, constraint.center_b};
+    if (constraint.carried) {
+        // The place goes round with what carries it.
+        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
+        arms.of_a += shift + b.delta_position_m - a.delta_position_m;
+        arms.of_b += shift;
+    }
+    if (constraint.spheres()) return arms;  // update_sphere_separations() left them where they are
+    if (constraint.radius_a > 0)
+        arms.of_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
+    else if (constraint.radius_b > 0)
+        arms.of_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
+    return arms;
+}
+
 /// What stops the slip, whose two directions turn the bodies differently: the full response's inverse.
 Vec2 stopping_impulse(const ContactConstraint& constraint, const Vec2& slip) {
     const auto& [first, second] = constraint.slip_response;
@@ -36,21 +58,7 @@ Vec2 opposing_impulse(const ContactConstraint& constraint, const Vec2& slip) {
 bool ContactSet::solve_friction(ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
-    Vec3 center_a = constraint.center_a;
-    Vec3 center_b = constraint.center_b;
-    if (constraint.carried) {
-        // The place goes round with what carries it.
-        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
-        center_a += shift + b.delta_position_m - a.delta_position_m;
-        center_b += shift;
-    }
-    if (constraint.spheres()) {
-        // update_sphere_separations() left them where they are
-    } else if (constraint.radius_a > 0) {
-        center_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
-    } else if (constraint.radius_b > 0) {
-        center_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
-    }
+    const auto [center_a, center_b] = arms_of(constraint, a, b);
     const Vec3 slip_world = a.velocity_at(center_a) - b.velocity_at(center_b);
     const Vec2 slip{glm::dot(slip_world, constraint.tangent[0]),
                     glm::dot(slip_world, constraint.tangent[1])};

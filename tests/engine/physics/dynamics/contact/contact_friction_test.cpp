@@ -1,0 +1,63 @@
+// Friction of a contact that turns a body differently along each of its two directions.
+#include "engine/physics/dynamics/contact/contact_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// A body that slides over the world with one contact beside its centre.
+struct Sliding {
+    std::vector<SolverBody> bodies{2};
+    ContactSet contacts;
+
+    Sliding(const Vec3& velocity_mps, Real friction) {
+        SolverBody& body = bodies[1];
+        body.inverse_mass = 1;
+        body.inverse_inertia = {.xx = 1, .xy = 0.5_r, .yy = 2, .zz = 9};
+        body.velocity_mps = velocity_mps;
+        ContactConstraint constraint;
+        constraint.a = 1;
+        constraint.normal = {0, 1, 0};
+        constraint.tangent[0] = {1, 0, 0};
+        constraint.tangent[1] = {0, 0, 1};
+        constraint.count = 1;
+        constraint.friction = friction;
+        constraint.start_separation_m[0] = 0;
+        constraint.normal_Ns[0] = 0.01_r;
+        set_lane(constraint.offset_a, 0, {0, -0.5_r, 0});
+        contacts.constraints.push_back(constraint);
+        contacts.begin_step(bodies, {});
+    }
+    Vec3d slip() const { return Vec3d(bodies[1].velocity_at({0, -0.5_r, 0})); }
+    Vec3d friction_Ns() const {
+        const ContactConstraint& constraint = contacts.constraints[0];
+        return Vec3d(constraint.tangent[0] * constraint.tangent_Ns[0] +
+                     constraint.tangent[1] * constraint.tangent_Ns[1]);
+    }
+};
+
+TEST(ContactFriction, ActsStraightAgainstTheSlipAtEveryHeading) {
+    for (int i = 0; i < 24; ++i) {
+        const Real heading_rad = static_cast<Real>(i) * kPi / 12;
+        Sliding body({5 * std::cos(heading_rad), 0, 5 * std::sin(heading_rad)}, 0.5_r);
+        const Vec3d before = glm::normalize(body.slip());
+        body.contacts.relax();
+        const Vec3d friction_Ns = body.friction_Ns();
+        EXPECT_NEAR(glm::length(friction_Ns), 0.5 * 0.01, 1e-6) << i;
+        EXPECT_NEAR(glm::dot(glm::normalize(friction_Ns), before), -1, 1e-5) << i;
+    }
+}
+
+TEST(ContactFriction, StopsInOneSweepWhatSticks) {
+    Sliding body({0.001_r, 0, 0.002_r}, 10);
+    body.contacts.relax();
+    EXPECT_NEAR(body.slip().x, 0, 1e-8);
+    EXPECT_NEAR(body.slip().z, 0, 1e-8);
+    EXPECT_LT(glm::length(body.friction_Ns()), 10 * 0.01);
+}
+
+}  // namespace
+}  // namespace plumbline::physics
