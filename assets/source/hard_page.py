@@ -6,6 +6,8 @@ INTRODUCTION = """# The gallery of hard cases
 
 ![The first rows of the gallery's page: a column for each solver, pass or fail with its margin and cost](images/gallery.png)
 
+![An arch of fifteen hulls, the card house after 15 s, a marble in a bowl of triangles, a rod that has met its post, barrels and pins, long boxes on hills](images/contacts.jpg)
+
 94 scenes that are known to make physics engines collapse, explode, tunnel or creep, each with its own pass rules in
 numbers. `assets/source/make_hard_scenes.py` writes the scenes and this page;
 [SCENE-FORMAT.md](SCENE-FORMAT.md#hard-cases) explains the measures.
