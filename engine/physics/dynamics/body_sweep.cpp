@@ -112,12 +112,6 @@ double crossing_of(const BodyRecord& record) {
     return radius_m > 0 ? kCrossingShare * radius_m : std::numeric_limits<double>::infinity();
 }
 
-/// Nearer than that the two touch: beyond the distance at which an impact is found.
-double touching_m(const BodyRecord& a, const BodyRecord& b) {
-    constexpr double kTouchingShare = 0.04;
-    return kTouchingShare * std::min(crossing_of(a), crossing_of(b));
-}
-
 /// Whether the step found contact points between the two before it moved them.
 bool are_in_contact(const BodyRecord& a, const BodyRecord& b) {
     const Pair* pair = pair_of(a, b);
@@ -195,6 +189,11 @@ bool outruns_points(const BodyRecord& record, const Outlook& outlook) {
     return moves_m > static_cast<double>(ahead_m(record));
 }
 
+double touching_m(const BodyRecord& a, const BodyRecord& b) {
+    constexpr double kTouchingShare = 0.04;
+    return kTouchingShare * std::min(crossing_of(a), crossing_of(b));
+}
+
 bool touch(const Pair& pair) {
     const auto is_touching = [limit_m = touching_m(*pair.a, *pair.b)](const ManifoldPoint& point) {
         return static_cast<double>(point.distance_m) <= limit_m;
@@ -211,7 +210,7 @@ bool flies(const BodyRecord& record) {
 
 bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook) {
     if (!other.joints.empty()) return false;
-    if (!pushable(other)) return other.kind != BodyKind::Kinematic || stands_still(other);
+    if (!pushable(other)) return true;
     return outlook.now == 0 || (other.small.awake && other.small.island == record.small.island);
 }
 
@@ -237,11 +236,36 @@ PredictedImpact predicted_impact(const StepWorld& world,
         const auto impact =
             time_of_impact({*record.traits.geometry, path, crossing_of(record)},
                            {*other->traits.geometry, other_path, crossing_of(*other)},
-                           touches ? Known::Touching : Known::Nothing,
+                           touches ? Known::Touching : Known::Apart,
                            first.share);
         if (impact) first = {impact->share, &partner(*pair, record)};
     }
     return first;
+}
+
+std::vector<BodyRecord*> reached_after(const BodyRecord& record,
+                                       const PredictedImpact& impact,
+                                       const Outlook& outlook) {
+    std::vector<BodyRecord*> reached;
+    const auto until_s = static_cast<Real>((impact.share - outlook.now) * outlook.step_s);
+    const auto left_s = static_cast<Real>((1 - impact.share) * outlook.step_s);
+    const Real speed_mps = glm::length(record.motion->velocity_mps);
+    for (const BodyRecord* from : {&record, static_cast<const BodyRecord*>(impact.other)}) {
+        const Vec3 place_m = from->motion->at.position_m + from->motion->velocity_mps * until_s;
+        for (const PairLink& link : from->small.pairs) {
+            BodyRecord& next = partner(*link.pair, *from);
+            if (!pushable(next) || &next == &record || &next == impact.other ||
+                !next.joints.empty())
+                continue;
+            const Vec3 there_m = next.motion->at.position_m + next.motion->velocity_mps * until_s;
+            const Real moves_m = (speed_mps + glm::length(next.motion->velocity_mps)) * left_s;
+            if (glm::distance(place_m, there_m) >
+                from->traits.radius_m + next.traits.radius_m + moves_m)
+                continue;
+            if (std::ranges::find(reached, &next) == reached.end()) reached.push_back(&next);
+        }
+    }
+    return reached;
 }
 
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {

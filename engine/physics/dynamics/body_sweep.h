@@ -4,6 +4,8 @@
 #include "engine/physics/collision/sweep/time_of_impact.h"
 #include "engine/physics/world/body_record.h"
 
+#include <vector>
+
 namespace plumbline::physics {
 
 class StepWorld;
@@ -22,13 +24,15 @@ struct Outlook {
 /// contact points are looked for ahead of it.
 bool outruns_points(const BodyRecord& record, const Outlook& outlook);
 
+/// Nearer than that the two touch: beyond the distance at which an impact is found. Infinite: neither is swept.
+double touching_m(const BodyRecord& a, const BodyRecord& b);
 /// Whether the pair's points, as the step found them last, have one where the bodies touch.
 bool touch(const Pair& pair);
 /// Whether the body touches nothing.
 bool flies(const BodyRecord& record);
 
-/// Whether an impact of the two can be solved within the step: joints and callers lead neither, and once it has begun
-/// they are of one island.
+/// Whether an impact of the two can be solved within the step: no joint holds the other, and once the step has begun
+/// they are of one island, if both can be pushed.
 bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook);
 
 /// What a body will meet first, and when, if nobody's velocity changes before.
@@ -37,10 +41,16 @@ struct PredictedImpact {
     BodyRecord* other{nullptr};  ///< none: and nothing is known of what comes then
 };
 /// Of what is left of the step, or of as much of it as gyroscopic torque lets say. Left out is what the body touches
-/// with several parts, what joints hold and what callers move; and once the step has begun the bodies of other islands.
+/// with several parts and what joints hold; and once the step has begun the bodies of other islands.
 PredictedImpact predicted_impact(const StepWorld& world,
                                  const BodyRecord& record,
                                  const Outlook& outlook);
+
+/// What can be pushed, is a pair of one of the two that meet, and may be met in what is then left of the step, wherever the
+/// impact leads.
+std::vector<BodyRecord*> reached_after(const BodyRecord& record,
+                                       const PredictedImpact& impact,
+                                       const Outlook& outlook);
 
 /// The first impact on the body's path since record.before. Bodies of the group are passed through.
 Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);

@@ -47,12 +47,6 @@ struct IslandStep {
     bool last{true};
 };
 
-/// Whether the island can be solved in parts, with its contact points found anew before each.
-bool may_be_parted(const Island& island, double step_s);
-/// Into how many parts a time of the step is cut: contact points that roll over a body or a mesh must not lag far
-/// behind.
-int parts_of_step(const Island& island, double duration_s);
-
 /// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean
 /// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched.
 class IslandSolver {

@@ -84,6 +84,7 @@ void move_bodies(std::span<SolverBody> bodies, bool gyroscopic_torque, Real h) {
 void IslandLoop::clear() {
     bodies.assign(1, SolverBody{});
     contacts.constraints.clear();
+    touching_m.clear();
     joints.clear();
     held.clear();
 }
@@ -129,8 +130,12 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
     const Real bounce_mps = 2 * settings.gravity_mps2 * rest_s + kSlowestBounce_mps;
     contacts.begin_step(
         bodies, {.h = h_, .spring_s = h_, .push_mps = settings.push_mps, .bounce_mps = bounce_mps});
-    impacts_.begin_step(
-        contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = false, .inelastic_too = true});
+    impacts_.begin_step(contacts,
+                        bodies,
+                        {.threshold_mps = bounce_mps,
+                         .may_shift = false,
+                         .inelastic_too = true,
+                         .touching_m = touching_m});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(bodies, contacts.constraints, joints, h_);
     report_.impacts = impacts_.run();

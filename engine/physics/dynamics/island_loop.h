@@ -45,6 +45,8 @@ public:
     std::vector<SolverBody> bodies;  ///< the first is the world
     std::vector<HeldBody> held;
     ContactSet contacts;
+    std::vector<Real>
+        touching_m;  ///< of each constraint: nearer is touching, where an impact is solved
     std::vector<SolverJoint> joints;
 
     /// Empties the island; keeps the memory.
@@ -52,8 +54,8 @@ public:
     /// Moves bodies for one step. Velocities, `delta_position_m`, `delta_rotation`, impulses and joints are left as
     /// the step ends.
     LoopReport run(const LoopSettings& settings);
-    /// Changes velocities alone, by the impacts of all that meets within `settings.step_s`, faster than a fall of two
-    /// `rest_s`.
+    /// Changes velocities alone, by the impacts of all that touches or meets within `settings.step_s`, faster than a fall
+    /// of two `rest_s`.
     LoopReport run_impacts(const LoopSettings& settings, Real rest_s);
 
 private:

@@ -1,6 +1,7 @@
 #include "engine/physics/dynamics/island_parts.h"
 
 #include "engine/physics/collision/pair_points.h"
+#include "engine/physics/dynamics/part_choice.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace {
 /// In a step of an island; what meets after that is stopped by the sweep when the step is over.
 constexpr std::size_t kMostImpacts = 64;
 /// Fewer of many bodies: each impact is one more solution of the whole island.
-constexpr std::size_t kMostBodiesTimesImpacts = 512;
+constexpr std::size_t kMostBodiesTimesImpacts = 1024;
 /// Shares of the step that are none.
 constexpr double kLeastShare = 1e-9;
 
@@ -20,11 +21,34 @@ bool IslandParts::solve(Island& island, IslandStep& step, IslandReport& report) 
     found_again_ = false;
     report_ = {};
     step.first = true;
+    list_carriers(island);
     double now = 0;
     if (island.swept && may_be_parted(island, step.step_s)) solve_up_to_impacts(island, step, now);
     solve_span(island, step, {now, 1});
+    carry_to(0);
     report = report_;
     return found_again_;
+}
+
+void IslandParts::list_carriers(const Island& island) {
+    carriers_.clear();
+    if (!island.swept && !island.carried) return;
+    for (const BodyRecord* record : island.bodies) {
+        for (const PairLink& link : record->small.pairs) {
+            BodyRecord& other = partner(*link.pair, *record);
+            if (other.kind != BodyKind::Kinematic || stands_still(other)) continue;
+            if (std::ranges::find(carriers_, &other, &Carrier::record) == carriers_.end())
+                carriers_.push_back({&other, other.motion->at});
+        }
+    }
+}
+
+void IslandParts::carry_to(double share) {
+    const auto passed_s = static_cast<Real>(share) * step_.step_s;
+    for (const auto& [record, start] : carriers_) {
+        record->motion->at = start;
+        if (share > 0) integrate_kinematic(*record, false, passed_s);
+    }
 }
 
 void IslandParts::solve_up_to_impacts(Island& island, IslandStep& step, double& now) {
@@ -36,8 +60,10 @@ void IslandParts::solve_up_to_impacts(Island& island, IslandStep& step, double& 
         if (next >= 1) return;
         if (next - now > kLeastShare) solve_span(island, step, {now, next});
         now = next;
+        carry_to(now);
         find_points(island, 1 - now);
         solver_.solve_impacts(island, step);
+        find_points(island, 1 - now);  // as the bodies move from now on
         for (BodyRecord* record : island.bodies) {
             record->sweep.since = static_cast<Real>(now);
             record->sweep.from = record->motion->at;
@@ -55,22 +81,29 @@ double IslandParts::next_impact(const Island& island, const Outlook& outlook) co
 }
 
 void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span) {
-    const double share = span.to - span.from;
-    const double span_s = span.is_whole() ? step.step_s : step.step_s * share;
-    const int parts = parts_of_step(island, span_s);
-    step.part_s = span_s / parts;
-    for (int part = 0; part < parts; ++part) {
-        step.last = span.to == 1 && part + 1 == parts;
-        if (part > 0) find_points(island, share / parts);
+    double now = span.from;
+    for (int left = most_parts(island); now < span.to; --left) {
+        const double rest = span.to - now;
+        const double rest_s = now == 0 && span.to == 1 ? step.step_s : step.step_s * rest;
+        const int parts = std::min(parts_of_step(island, rest_s), std::max(left, 1));
+        const double next = parts == 1 ? span.to : now + rest / parts;
+        step.part_s = rest_s / parts;
+        step.last = next == 1;
+        if (now > span.from) {
+            carry_to(now);
+            find_points(island, next - now);
+        }
         const int substeps = report_.substeps;
         report_ = solver_.solve(island, step);
         report_.substeps += substeps;
         step.first = false;
+        now = next;
     }
 }
 
 void IslandParts::find_points(Island& island, double share) {
-    const auto part = static_cast<Real>(share);
+    // Far enough ahead for what an impact within it brings near.
+    const auto part = static_cast<Real>(std::min(2 * share, 1.0));
     points_.collide_again(island.bodies,
                           {.step_s = step_.step_s * part,
                            .drop_m = step_.drop_m * part * part,

@@ -3,7 +3,8 @@
 // What moves farther than its own inner radius within a step cannot be solved by the points found when the step begins:
 // they are where it was. So the step is cut where the sweep says that such a body meets something. There the points are
 // found anew, the impact is solved (restitution and friction, all bodies at the same moment), and the rest of the step
-// goes on from it. Nothing of the step is lost.
+// goes on from it. Nothing of the step is lost. Kinematic bodies go along: at each part's start they are where their
+// velocity takes them by then.
 #pragma once
 
 #include "engine/physics/collision/pair_reach.h"
@@ -46,9 +47,14 @@ private:
     struct Span {
         double from{0};
         double to{1};
-
-        bool is_whole() const { return from == 0 && to == 1; }
     };
+    /// A kinematic body that moves near the island, where it was when the step began.
+    struct Carrier {
+        BodyRecord* record{nullptr};
+        Transform start{};
+    };
+    void list_carriers(const Island& island);
+    void carry_to(double share);
     void solve_up_to_impacts(Island& island, IslandStep& step, double& now);
     double next_impact(const Island& island, const Outlook& outlook) const;
     void solve_span(Island& island, IslandStep& step, const Span& span);
@@ -60,6 +66,7 @@ private:
     const StepWorld& world_;
     CollideStep step_{};
     IslandReport report_{};
+    std::vector<Carrier> carriers_;
     bool found_again_{false};
 };
 

@@ -1,6 +1,7 @@
 // From our records to the small-step loop, and back.
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/dynamics/contact/contact_bridge.h"
 #include "engine/physics/dynamics/island.h"
 #include "engine/physics/dynamics/island_loop.h"
@@ -21,13 +22,8 @@ constexpr double kFarFewer = 0.75;
 constexpr double kSurelyEnough =
     0.95;  ///< of fewer: the need changes a little with the number itself
 constexpr int kMostSubsteps = 64;
-/// Finding points more often would cost too much, of many bodies sooner.
-constexpr std::size_t kMostParts = 128;
-constexpr std::size_t kMostBodiesTimesParts = 1024;
 /// Of the step: what meets within it when an impact is solved takes part in that.
 constexpr double kImpactShare = 0.01;
-constexpr std::size_t kMostBodiesInParts =
-    64;  ///< finding the points of more so often would cost too much
 
 SolverBody posed_body(const BodyRecord& record) {
     SolverBody body;
@@ -95,53 +91,6 @@ void write_joints(std::span<const SolverJoint> joints,
             static_cast<Real>(glm::length(joint.solver.total_angular_impulse_Nms) / step_s);
         joint.state.position = static_cast<Real>(joint.solver.position);
     }
-}
-
-/// How fast the body's surface turns away under a contact point, rad/s: what is round about an axis does not by turning
-/// about that.
-Real felt_spin_radps(const BodyRecord& record) {
-    using enum ConvexShape::Kind;
-    const Vec3& spin = record.motion->spin_radps;
-    const ConvexShape::Kind kind = record.traits.primitive.kind;
-    if (kind == Sphere || record.motion->inverse_mass <= 0) return 0;
-    if (kind != Capsule && kind != Cylinder && kind != Cone) return glm::length(spin);
-    const Vec3& axis = record.motion->at.rotation[1];
-    return glm::length(spin - axis * glm::dot(spin, axis));
-}
-
-/// Whether a force moves the body through things within one step: only contacts found before it does hold it.
-bool drives_through(const BodyRecord& record, Real step_s) {
-    return record.applied.by_caller &&
-           glm::length(record.applied.force_N) * record.motion->inverse_mass * step_s * step_s >
-               record.sweep.inner_radius_m;
-}
-
-/// What a body may turn by before its points are found anew. Points far out on what is thin leave its surface by the
-/// square of a turn.
-Real most_turn_rad(const BodyRecord& record, bool finely) {
-    constexpr Real kMostTurn_rad = 0.2_r;
-    constexpr Real kMostLeft = 0.25_r;  // of the inner radius
-    const Real inner_radius_m = record.sweep.inner_radius_m;
-    if (!finely || inner_radius_m <= 0) return kMostTurn_rad;
-    return std::min(kMostTurn_rad,
-                    std::sqrt(2 * kMostLeft * inner_radius_m / record.traits.radius_m));
-}
-
-/// How far the manifold's points run over the bodies within a step, as a share of what points may lag behind.
-Real rolling_share(const Manifold& manifold, Real step_s, bool finely) {
-    constexpr Real kMostSlide = 0.25_r;  // of the inner radius, over the faces of a mesh
-    const BodyRecord& a = *manifold.a;
-    const BodyRecord& b = *manifold.b;
-    const Real share = std::max(felt_spin_radps(a) / most_turn_rad(a, finely),
-                                felt_spin_radps(b) / most_turn_rad(b, finely)) *
-                       step_s;
-    if (a.traits.geometry->mesh == nullptr && b.traits.geometry->mesh == nullptr) return share;
-    const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
-    const Vec3& normal = manifold.points.front().normal_world;
-    const Vec3 slide = apart - normal * glm::dot(apart, normal);
-    const Real size_m = std::max(a.sweep.inner_radius_m, b.sweep.inner_radius_m);
-    if (size_m <= 0) return share;
-    return std::max(share, glm::length(slide) * step_s / (kMostSlide * size_m));
 }
 
 int substeps_of_part(int substeps, double share) {
@@ -320,27 +269,11 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
                     .a_moves = pushable(*manifold->a)},
                    static_cast<Real>(h),
                    loop.contacts);
+        const auto near_m = static_cast<Real>(touching_m(*manifold->a, *manifold->b));
+        loop.touching_m.resize(loop.contacts.constraints.size(),
+                               std::isfinite(near_m) ? near_m : Real{0});
     }
     for (const JointRecord* joint : island.joints) add_joint(*joint);
-}
-
-bool may_be_parted(const Island& island, double step_s) {
-    const auto is_driven_through = [step_s](const BodyRecord* record) {
-        return drives_through(*record, static_cast<Real>(step_s));
-    };
-    return !island.carried && island.joints.empty() && island.bodies.size() <= kMostBodiesInParts &&
-           std::ranges::none_of(island.bodies, is_driven_through);
-}
-
-int parts_of_step(const Island& island, double duration_s) {
-    if (!may_be_parted(island, duration_s)) return 1;
-    const std::size_t most_parts =
-        std::min(kMostParts, kMostBodiesTimesParts / island.bodies.size());
-    const bool finely = island.swept && most_parts == kMostParts;
-    Real most = 0;
-    for (const Manifold* manifold : island.manifolds)
-        most = std::max(most, rolling_share(*manifold, static_cast<Real>(duration_s), finely));
-    return std::clamp(static_cast<int>(std::ceil(most)), 1, static_cast<int>(most_parts));
 }
 
 void IslandSolver::solve_impacts(Island& island, const IslandStep& step) {
@@ -370,11 +303,12 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     const double part_s = step.part_s > 0 ? step.part_s : step.step_s;
     const int substeps = substeps_of_part(choice.substeps, part_s / step.step_s);
     const double h = part_s / substeps;
+    const bool is_parted = island.swept || part_s < step.step_s;
     impl.gather(island, step, h);
     const LoopReport report =
         impl.loop.run({.step_s = part_s,
                        .substeps = substeps,
-                       .spring_s = island.swept ? step.step_s / choice.substeps : 0,
+                       .spring_s = is_parted ? step.step_s / choice.substeps : 0,
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kContactPush_mps,
@@ -382,7 +316,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .joint_method = step.joints});
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
-    if (island.swept) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));
+    if (is_parted) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));
     write_joints(impl.loop.joints, island.joints, part_s);
     step.cost->row_solves += report.row_solves;
     count(report, step.cost->interventions);

@@ -1,6 +1,7 @@
 #include "engine/physics/dynamics/islands.h"
 
 #include "engine/physics/bullet/body.h"
+#include "engine/physics/dynamics/part_choice.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -72,6 +73,23 @@ void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) 
     if (partner != nullptr && moves_by_itself(*partner)) island.carried = true;
 }
 
+/// Only as long as the island can still be solved impact by impact: among many that fly side by side each may meet the next.
+void IslandBuilder::tie_what_may_follow(std::span<const SweptPath> swept) {
+    if (std::ranges::none_of(swept, &SweptPath::after_impact)) return;
+    size_.assign(held_.size(), 0);
+    for (std::uint32_t i = 0; i < size_.size(); ++i) ++size_[sets_.find(i)];
+    for (const SweptPath& path : swept) {
+        if (!path.after_impact) continue;
+        const std::uint32_t a = sets_.find(path.body->small.row);
+        const std::uint32_t b = sets_.find(path.meets->small.row);
+        const std::uint32_t both = size_[a] + size_[b];
+        if (a == b || both > kMostBodiesInParts) continue;
+        sets_.join(a, b);
+        size_[sets_.find(a)] = both;
+        held_[path.body->small.row] = held_[path.meets->small.row] = 1;
+    }
+}
+
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,
                           std::span<Manifold* const> manifolds,
                           std::span<JointRecord* const> joints,
@@ -88,8 +106,9 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
     for (const JointRecord* joint : joints) tie(joint->a, joint->b);
 
     for (const SweptPath& path : swept) {
-        if (path.meets != nullptr) tie(path.body, path.meets);
+        if (path.meets != nullptr && !path.after_impact) tie(path.body, path.meets);
     }
+    tie_what_may_follow(swept);
 
     number_.assign(bodies.size(), kNoIsland);
     free_.clear();

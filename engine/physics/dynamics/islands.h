@@ -14,6 +14,7 @@ namespace plumbline::physics {
 struct SweptPath {
     BodyRecord* body{nullptr};
     BodyRecord* meets{nullptr};  ///< none: nothing; itself: who knows
+    bool after_impact{false};    ///< `meets` is only what it may meet after its first impact
 };
 
 /// Builds a step's islands and keeps their memory for the next step.
@@ -33,10 +34,12 @@ public:
 
 private:
     Island& island_of(std::uint32_t body);
+    void tie_what_may_follow(std::span<const SweptPath> swept);
     void note_partner(std::uint32_t body, const BodyRecord* partner);
 
     DisjointSets sets_;
     std::vector<std::uint8_t> held_;     ///< by body: touched or joined
+    std::vector<std::uint32_t> size_;    ///< by body that stands for a set: how many are in it
     std::vector<std::uint32_t> number_;  ///< by body that stands for a set: of its island
     std::vector<Island> islands_;        ///< more than count_ of them, to keep their memory
     std::size_t count_{0};

@@ -10,12 +10,15 @@ namespace {
 /// Sag of the most loaded contact, and of all on average, as shares of the bodies' size.
 constexpr double kDeepestShare = 3e-3;
 constexpr double kMeanShare = 1.5e-3;
-/// Smaller bodies may sink in by the shares of this size, as nobody sees a tenth of a millimetre, but thin ones by no
-/// more than a fiftieth of their thickness.
-constexpr double kSmallest_m = 0.2;
+/// Smaller bodies may sink in by the shares of this size, as nobody sees six hundredths of a millimetre, but thin ones by
+/// no more than a fiftieth of their thickness.
+constexpr double kSmallest_m = 0.02;
 constexpr double kThinShare = 0.02;
 constexpr double kSubstepsPerLevel = 0.34;
-constexpr double kTurn_rad = 0.4;     ///< of jointed bodies in one sub-step
+constexpr double kTurn_rad = 0.4;  ///< of jointed bodies in one sub-step
+/// At least, where contacts press on jointed bodies: position correction of joints and soft contacts else set each other
+/// trembling.
+constexpr double kSubstepsOfJoints = 4;
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
 constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64};
 
@@ -33,6 +36,7 @@ void SubstepChooser::begin(std::size_t bodies, double step_s) {
     pairs_.clear();
     deepest_share_ = sum_of_shares_ = 0;
     fastest_spin_radps_ = joint_error_ = 0;
+    has_joints_ = false;
 }
 
 void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg, Real size_m) {
@@ -51,6 +55,7 @@ void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg
 }
 
 void SubstepChooser::add_joint(Real spin_radps, Real relative_error) {
+    has_joints_ = true;
     fastest_spin_radps_ = std::max(fastest_spin_radps_, static_cast<double>(spin_radps));
     joint_error_ = std::max(joint_error_, static_cast<double>(relative_error));
 }
@@ -109,6 +114,7 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
         if (bodies_ > static_cast<std::size_t>(least)) {
             ask(kSubstepsPerLevel * levels(), SubstepReason::Height);
         }
+        if (has_joints_) ask(kSubstepsOfJoints, SubstepReason::Load);
     }
     ask(fastest_spin_radps_ * step_s_ / kTurn_rad, SubstepReason::Turning);
     // The error of second-order joints falls with the square of the sub-steps.

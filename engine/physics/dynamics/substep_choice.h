@@ -18,7 +18,7 @@ namespace plumbline::physics {
 enum class SubstepReason : std::uint8_t {
     Least,    ///< nothing asked for more than the least
     Fixed,    ///< the settings leave no choice
-    Load,     ///< the heaviest load would sink in too far
+    Load,     ///< the heaviest load would sink in too far, or jointed bodies press on something
     Height,   ///< many bodies on top of each other
     Turning,  ///< jointed bodies turn fast
     Error,    ///< joints were further apart than they may be
@@ -57,6 +57,7 @@ private:
     std::vector<Pair> pairs_;
     double deepest_share_{0};  ///< sag of one sub-step over the body's size: the largest ...
     double sum_of_shares_{0};  ///< ... and all together
+    bool has_joints_{false};
     double fastest_spin_radps_{0};
     double joint_error_{0};
     std::vector<int> level_;  ///< of each body, 0: not reached

@@ -162,7 +162,12 @@ void SmallStepWorld::look_ahead(const WorldFeatures& features) {
         const PredictedImpact impact = predicted_impact(parts_.engine.world(), *record, outlook);
         const bool unknown = impact.other == nullptr && impact.share < 1;
         ahead_.push_back({record, unknown ? record : impact.other});
-        if (impact.other != nullptr && sleeps(*impact.other)) bodies.wake(*impact.other);
+        if (impact.other == nullptr) continue;
+        if (sleeps(*impact.other)) bodies.wake(*impact.other);
+        for (BodyRecord* next : reached_after(*record, impact, outlook)) {
+            if (sleeps(*next)) bodies.wake(*next);
+            ahead_.push_back({record, next, true});
+        }
     }
     pairs_.collide_woken(bodies, touching_);
     // Else all that flies side by side would be one island.

@@ -14,6 +14,9 @@ constexpr Real kParallel = 0.01_r;
 /// smaller box: rounding must not change the kind of contact from step to step.
 constexpr Real kFaceGain = 1e-3_r;
 constexpr Real kEdgeGain = 5e-3_r;
+/// Two edges whose normal lies this near (cosine, 8 degrees) to a face's meet by that face: their one point would let
+/// thin plates that lie on each other rock, and turn into each other.
+constexpr Real kAlongFace = 0.99_r;
 /// Points deeper than the deepest but this share of the face are as good as the deepest.
 constexpr Real kLevel = 5e-3_r;
 
@@ -246,7 +249,10 @@ BoxContact meet_face(const OrientedBox& box,
 BoxContact collide_boxes(const OrientedBox& a, const OrientedBox& b, Real reach_m) {
     const Frame f = frame_of(a, b);
     Axis best;
-    if (!consider_faces(f, reach_m, best) || !consider_edges(f, reach_m, best)) return {};
+    if (!consider_faces(f, reach_m, best)) return {};
+    const Axis face = best;
+    if (!consider_edges(f, reach_m, best)) return {};
+    if (glm::dot(face.direction, best.direction) > kAlongFace) best = face;
     if (best.of_a >= 0 && best.of_b >= 0) return meet_edges(f, best, reach_m);
     if (best.of_a >= 0) return meet_face(a, b, best.of_a, best.direction, true, reach_m);
     return meet_face(b, a, best.of_b, -best.direction, false, reach_m);

@@ -17,6 +17,8 @@ constexpr int kMostAdvances = 64;
 /// that touched before are stopped.
 constexpr double kTouchingShare = 0.02;
 constexpr double kLimitShare = 0.15;
+/// Less is overlapped on the way by what grazes the other: its impact would turn by much within a step.
+constexpr double kGrazingShare = 0.03;
 constexpr double kLeastAdvance = 1e-6;
 /// Bodies that overlap already by more may do so by this more.
 constexpr double kNoiseShare = 5e-4;
@@ -159,14 +161,18 @@ bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
     return apart && apart->distance_m < -kTouchingShare * crossing_m;
 }
 
-/// Advances two convex things; `at(share)` places both. `held`: their contacts are known.
+/// Advances two convex things; `at(share)` places both.
 template <class At>
 std::optional<Impact> advance(
-    const At& at, const Motions& motions, double crossing_m, bool held, Shares within) {
+    const At& at, const Motions& motions, double crossing_m, Known known, Shares within) {
     const double reach_m = motions.most();
+    const bool held = known == Known::Held;
+    const bool apart_before = known == Known::Apart;
+    const double impact_m = -(apart_before ? kGrazingShare : 1) * crossing_m;
     std::optional<Impact> touch;
-    bool touched_from_start = true;              // or held by contacts
-    double limit_m = -kLimitShare * crossing_m;  // what touches at the start goes on until then
+    bool touched_from_start = true;  // or held by contacts
+    // What touches at the start goes on until then.
+    double limit_m = -(apart_before ? kGrazingShare : kLimitShare) * crossing_m;
     double share = within.earliest;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Moment now = at(share);
@@ -180,8 +186,8 @@ std::optional<Impact> advance(
         if (!touches) touch.reset();
         if (touches && !touch && (!touched_from_start || distance_m <= limit_m))
             touch = Impact{share, apart->normal};
-        if (touch && distance_m <= std::min(-crossing_m, limit_m)) return touch;
-        double goal_m = std::min(-crossing_m, limit_m) - kNoiseShare * crossing_m;
+        if (touch && distance_m <= std::min(impact_m, limit_m)) return touch;
+        double goal_m = std::min(impact_m, limit_m) - kNoiseShare * crossing_m;
         if (!touches) goal_m = kTouchingShare * crossing_m / 2;
         if (touches && !touch) goal_m = limit_m - kNoiseShare * crossing_m;
         share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
@@ -243,7 +249,7 @@ private:
                               place_a.position_m,
                               place_b.position_m};
             };
-            keep(advance(at, motions, crossing_m_, known_ == Known::Held, within_), 1);
+            keep(advance(at, motions, crossing_m_, known_, within_), 1);
         }
     }
 
@@ -279,7 +285,7 @@ private:
                               own.position_m,
                               place.position_m};
             };
-            const auto impact = advance(at, motions, crossing_m_, known_ == Known::Held, within_);
+            const auto impact = advance(at, motions, crossing_m_, known_, within_);
             if (impact && known_ == Known::Touching) {
                 const glm::dmat3 axes = place_on(mesh_body.path, impact->share, origin).axes;
                 if (!is_on_face(mesh, triangle, glm::transpose(axes) * impact->normal)) return;

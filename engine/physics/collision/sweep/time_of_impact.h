@@ -32,14 +32,15 @@ struct Impact {
 /// What the step knows of two bodies' contact.
 enum class Known {
     Nothing,
+    Apart,     ///< no points hold them: what only grazes the other is an impact too
     Touching,  ///< they touch when their paths begin, and may meet elsewhere
     Held,      ///< contact points hold them on their whole paths
 };
 
 /// The first impact of two bodies within the step, before `latest` and after both paths began. Bodies that touch at its start, or are held by
 /// contact points, are up to their contacts: they have one only where they come to cross each other, that is to overlap
-/// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper.
-/// Those that overlap by more at its start are not stopped.
+/// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper; those
+/// that are apart have one from three hundredths of that overlap on. Those that overlap by more at its start are not stopped.
 ///
 /// Conservative advancement along the screw motions of both (Mirtich 1996, "Impulse-based Dynamic Simulation", 2.3):
 /// within the time in which no point can have closed the gap along its normal nothing touches. The bound is of second

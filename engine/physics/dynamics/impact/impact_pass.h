@@ -10,6 +10,7 @@
 #include "engine/physics/dynamics/contact/contact_set.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plumbline::physics {
@@ -33,6 +34,8 @@ struct ImpactSettings {
     bool may_shift{
         true};  ///< no stiff spring, which a shift of a sphere would stretch, holds a body
     bool inelastic_too{false};  ///< pairs without restitution are not left to the contacts
+    std::span<const Real>
+        touching_m{};  ///< of each constraint: nearer points take part; empty: those that close within the sub-step
 };
 
 class ImpactPass {

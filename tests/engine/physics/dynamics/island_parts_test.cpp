@@ -58,6 +58,74 @@ TEST(IslandParts, BallsThatMeetAt600MpsBounceOrStopWhereTheyMeet) {
     }
 }
 
+TEST(IslandParts, ABallThatGrazesAnotherHitsIt) {
+    constexpr double kRadius_m = 0.11;
+    for (const double hz : kRates_hz) {
+        for (int phase = 0; phase < kPhases; ++phase) {
+            for (const double overlap_m : {0.02, 0.05}) {
+                TestWorld test(at_rate(hz));
+                const BodyDef smooth{.kind = BodyKind::Dynamic, .friction = 0, .restitution = 1};
+                const double beside_m = 2 * kRadius_m - overlap_m;
+                const BodyId struck = test.add(SphereShape{static_cast<Real>(kRadius_m)},
+                                               {0, static_cast<Real>(beside_m), 0},
+                                               smooth);
+                BodyDef fast = smooth;
+                fast.velocity_mps = {40, 0, 0};
+                const double away_m = 2 + 40.0 / hz * phase / kPhases;
+                test.add(SphereShape{static_cast<Real>(kRadius_m)},
+                         {static_cast<Real>(-away_m), 0, 0},
+                         fast);
+                test.run(0.1);
+                // Along the line of centres, with all of the speed along it.
+                const double sine = beside_m / (2 * kRadius_m);
+                const double struck_mps = 40 * std::sqrt(1 - sine * sine);
+                EXPECT_NEAR(glm::length(test.velocity(struck)), struck_mps, 0.04 * struck_mps)
+                    << hz << " Hz, phase " << phase << ", " << overlap_m << " m";
+            }
+        }
+    }
+}
+
+TEST(IslandParts, ABallThatBouncesHitsTheNextBallWithinTheStep) {
+    for (const double hz : kRates_hz) {
+        for (int phase = 0; phase < kPhases; ++phase) {
+            TestWorld test(at_rate(hz));
+            test.ground(0, 1);
+            BodyDef smooth{.kind = BodyKind::Dynamic, .friction = 0, .restitution = 1};
+            const BodyId next = test.add(SphereShape{0.05_r}, {0.25_r, 0.3_r, 0}, smooth);
+            const auto away_m = static_cast<Real>(0.3 + 50 / hz * phase / kPhases);
+            smooth.velocity_mps = {50, -50, 0};
+            test.add(SphereShape{0.05_r}, {-away_m, 0.05_r + away_m, 0}, smooth);
+            test.run(0.1);
+            // From the ground it goes up as it came, head-on.
+            EXPECT_NEAR(test.velocity(next).x, 50, 1) << hz << " Hz, phase " << phase;
+            EXPECT_NEAR(test.velocity(next).y, 50, 1) << hz << " Hz, phase " << phase;
+        }
+    }
+}
+
+TEST(IslandParts, ABallReturnsFromAPlateThatComes) {
+    for (const double hz : kRates_hz) {
+        for (int phase = 0; phase < kPhases; ++phase) {
+            TestWorld test(at_rate(hz));
+            const BodyId plate =
+                test.add(BoxShape{{2, 0.1_r, 2}},
+                         {0, 0, 0},
+                         {.kind = BodyKind::Kinematic, .velocity_mps = {0, 10, 0}});
+            const double away_m = 2 + 70.0 / hz * phase / kPhases;
+            const BodyId ball = test.add(SphereShape{0.05_r},
+                                         {0, static_cast<Real>(away_m), 0},
+                                         {.kind = BodyKind::Dynamic,
+                                          .velocity_mps = {0, -60, 0},
+                                          .friction = 0,
+                                          .restitution = 1});
+            test.run(0.1);
+            EXPECT_NEAR(test.velocity(ball).y, 80, 0.1) << hz << " Hz, phase " << phase;
+            EXPECT_NEAR(test.at(plate).y, 1, 1e-4);
+        }
+    }
+}
+
 TEST(IslandParts, BoxesThatTurnAndMeetAt600MpsDoNotPass) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {

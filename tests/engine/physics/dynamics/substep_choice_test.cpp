@@ -133,6 +133,18 @@ TEST(SubstepChoice, JointsAskByTheirSpinAndTheirError) {
     }
 }
 
+TEST(SubstepChoice, AtLeastFourWhereContactsPressOnJointedBodies) {
+    for (const bool jointed : {false, true}) {
+        for (const bool pressed : {false, true}) {
+            SubstepChooser chooser;
+            chooser.begin(2, kStep_s);
+            if (jointed) chooser.add_joint(0, 0);
+            if (pressed) chooser.add_contact(0, -1, 1e-3_r, 1, 1);
+            EXPECT_EQ(chooser.choose(1, 64).substeps, jointed && pressed ? 4 : 1);
+        }
+    }
+}
+
 TEST(SubstepChoice, BeginForgetsTheIslandBefore) {
     SubstepChooser chooser;
     chooser.begin(1, kStep_s);

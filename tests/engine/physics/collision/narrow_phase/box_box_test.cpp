@@ -86,6 +86,22 @@ TEST(BoxBox, CrossedEdgesMeetInOnePoint) {
     EXPECT_NEAR(contact.on_b[0].z, -0.2_r, 4 * kBoxNear);
 }
 
+TEST(BoxBox, CrossedPlatesThatTiltALittleMeetByFaces) {
+    // The lower one's highest edge and the upper one's lowest cross where both tilt.
+    const auto crossed = [](Real tilt_deg) {
+        const OrientedBox lower =
+            box_at({0, 0, 0}, {2, 0.05_r, 0.5_r}, about({1, 0, 0}, -tilt_deg));
+        const Real lift_m = 0.5_r * std::sin(radians_from_degrees(tilt_deg));
+        return collide_boxes(
+            box_at({0, 0.095_r + 2 * lift_m, 0}, {0.5_r, 0.05_r, 2}, about({0, 0, 1}, tilt_deg)),
+            lower,
+            0.3_r);
+    };
+    for (const Real tilt_deg : {1.0_r, 3.0_r, 5.0_r})
+        EXPECT_GT(crossed(tilt_deg).count, 1) << tilt_deg;
+    EXPECT_EQ(crossed(12).count, 1);
+}
+
 TEST(BoxBox, ACornerOverAFaceIsOnePoint) {
     const Quat on_corner = about({1, 0, -1}, degrees_from_radians(std::acos(1 / std::sqrt(3.0_r))));
     const Real height = std::sqrt(0.75_r);

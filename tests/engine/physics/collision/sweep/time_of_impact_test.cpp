@@ -48,6 +48,20 @@ TEST(TimeOfImpact, IsNoneWhereBodiesPass) {
         << "contacts part what is at one place";
 }
 
+TEST(TimeOfImpact, OfWhatIsApartIsAlsoWhereTheyGraze) {
+    const BodyGeometry ball = of({.kind = ConvexShape::Kind::Sphere, .radius_m = 0.1_r});
+    const BodyPath still = path({0, 0, 0}, {0, 0, 0});
+    // Overlaps by 2 mm on the way: 4 % of what counts as crossing.
+    const BodyPath grazing = path({-1, 0.198_r, 0}, {2, 0, 0});
+    EXPECT_FALSE(time_of_impact({ball, grazing, 0.05}, {ball, still, 0.05}, Known::Nothing, 1));
+    const auto impact = time_of_impact({ball, grazing, 0.05}, {ball, still, 0.05}, Known::Apart, 1);
+    ASSERT_TRUE(impact);
+    const double before_m = std::sqrt(0.2 * 0.2 - 0.198 * 0.198);
+    EXPECT_NEAR(impact->share, (1 - before_m) / 2, 5e-3);
+    const BodyPath by = path({-1, 0.2005_r, 0}, {2, 0, 0});
+    EXPECT_FALSE(time_of_impact({ball, by, 0.05}, {ball, still, 0.05}, Known::Apart, 1));
+}
+
 TEST(TimeOfImpact, OfARodIsWhereItsTipMeetsThePost) {
     const BodyGeometry rod = box(4, 0.04_r, 0.04_r);
     const BodyGeometry post = box(0.1_r, 4, 0.1_r);
