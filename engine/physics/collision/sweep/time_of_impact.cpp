@@ -161,18 +161,36 @@ bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
     return apart && apart->distance_m < -kTouchingShare * crossing_m;
 }
 
+/// How near two bodies come, m: distances below 0 are overlaps.
+struct Depths {
+    double touching_m{0};
+    double impact_m{0};  ///< what came to touch on the way has an impact if it comes so deep
+    double limit_m{0};   ///< what touches at the start goes on until then
+    double noise_m{0};
+
+    Depths(double crossing_m, Known known)
+        : touching_m(kTouchingShare * crossing_m),
+          impact_m(-(known == Known::Apart ? kGrazingShare : 1) * crossing_m),
+          limit_m(-(known == Known::Apart ? kGrazingShare : kLimitShare) * crossing_m),
+          noise_m(kNoiseShare * crossing_m) {}
+
+    double deepest_m() const { return std::min(impact_m, limit_m); }
+    /// Which distance is the next to be looked at.
+    double goal_m(bool touches, bool has_impact) const {
+        if (!touches) return touching_m / 2;
+        return (has_impact ? deepest_m() : limit_m) - noise_m;
+    }
+};
+
 /// Advances two convex things; `at(share)` places both.
 template <class At>
 std::optional<Impact> advance(
     const At& at, const Motions& motions, double crossing_m, Known known, Shares within) {
     const double reach_m = motions.most();
     const bool held = known == Known::Held;
-    const bool apart_before = known == Known::Apart;
-    const double impact_m = -(apart_before ? kGrazingShare : 1) * crossing_m;
+    Depths depths(crossing_m, known);
     std::optional<Impact> touch;
     bool touched_from_start = true;  // or held by contacts
-    // What touches at the start goes on until then.
-    double limit_m = -(apart_before ? kGrazingShare : kLimitShare) * crossing_m;
     double share = within.earliest;
     for (int i = 0; i < kMostAdvances; ++i) {
         const Moment now = at(share);
@@ -180,16 +198,14 @@ std::optional<Impact> advance(
         if (!apart) return std::nullopt;
         const double distance_m = apart->distance_m;
         if (i == 0 && distance_m <= -crossing_m) return std::nullopt;
-        if (i == 0) limit_m = std::min(limit_m, distance_m - kNoiseShare * crossing_m);
-        const bool touches = distance_m <= kTouchingShare * crossing_m;
+        if (i == 0) depths.limit_m = std::min(depths.limit_m, distance_m - depths.noise_m);
+        const bool touches = distance_m <= depths.touching_m;
         touched_from_start = held || (touched_from_start && touches);
         if (!touches) touch.reset();
-        if (touches && !touch && (!touched_from_start || distance_m <= limit_m))
+        if (touches && !touch && (!touched_from_start || distance_m <= depths.limit_m))
             touch = Impact{share, apart->normal};
-        if (touch && distance_m <= std::min(impact_m, limit_m)) return touch;
-        double goal_m = std::min(impact_m, limit_m) - kNoiseShare * crossing_m;
-        if (!touches) goal_m = kTouchingShare * crossing_m / 2;
-        if (touches && !touch) goal_m = limit_m - kNoiseShare * crossing_m;
+        if (touch && distance_m <= depths.deepest_m()) return touch;
+        const double goal_m = depths.goal_m(touches, touch.has_value());
         share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
         if (share < within.latest) continue;
         const bool stays =
