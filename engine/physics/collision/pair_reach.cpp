@@ -32,7 +32,7 @@ bool is_backing(const BodyRecord& record) {
 
 Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
     const BodyMotion& motion = *record.motion;
-    return motion.velocity_mps + glm::cross(motion.spin_radps, place_world - motion.at.position_m);
+    return motion.velocity_at(place_world - motion.at.position_m);
 }
 
 /// How fast the bodies come together at a point, after whatever impacts either may get.

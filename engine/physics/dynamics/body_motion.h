@@ -31,6 +31,9 @@ struct BodyMotion {
     Real inverse_mass{0};           ///< 1/kg; 0: gives way to nothing
     Vec3 inverse_moments{0, 0, 0};  ///< 1/(kg m2), principal
     BallisticState ballistic{};     ///< the same pose and velocities, with more digits
+
+    /// `arm`: from the centre of mass, world axes.
+    Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
 };
 
 /// Along the world's axes.

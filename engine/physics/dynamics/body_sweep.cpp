@@ -7,6 +7,7 @@
 #include "engine/physics/dynamics/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -250,7 +251,8 @@ std::vector<BodyRecord*> reached_after(const BodyRecord& record,
     const auto until_s = static_cast<Real>((impact.share - outlook.now) * outlook.step_s);
     const auto left_s = static_cast<Real>((1 - impact.share) * outlook.step_s);
     const Real speed_mps = glm::length(record.motion->velocity_mps);
-    for (const BodyRecord* from : {&record, static_cast<const BodyRecord*>(impact.other)}) {
+    const std::array<const BodyRecord*, 2> meeting{&record, impact.other};
+    for (const BodyRecord* from : meeting) {
         const Vec3 place_m = from->motion->at.position_m + from->motion->velocity_mps * until_s;
         for (const PairLink& link : from->small.pairs) {
             BodyRecord& next = partner(*link.pair, *from);

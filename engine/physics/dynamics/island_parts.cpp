@@ -21,9 +21,12 @@ bool IslandParts::solve(Island& island, IslandStep& step, IslandReport& report) 
     found_again_ = false;
     report_ = {};
     step.first = true;
-    list_carriers(island);
+    carriers_.clear();
     double now = 0;
-    if (island.swept && may_be_parted(island, step.step_s)) solve_up_to_impacts(island, step, now);
+    if (may_be_parted(island, step.step_s)) {
+        if (island.swept || island.carried) list_carriers(island);
+        if (island.swept) solve_up_to_impacts(island, step, now);
+    }
     solve_span(island, step, {now, 1});
     carry_to(0);
     report = report_;
@@ -31,8 +34,6 @@ bool IslandParts::solve(Island& island, IslandStep& step, IslandReport& report) 
 }
 
 void IslandParts::list_carriers(const Island& island) {
-    carriers_.clear();
-    if (!island.swept && !island.carried) return;
     for (const BodyRecord* record : island.bodies) {
         for (const PairLink& link : record->small.pairs) {
             BodyRecord& other = partner(*link.pair, *record);
@@ -84,7 +85,7 @@ void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span)
     double now = span.from;
     for (int left = most_parts(island); now < span.to; --left) {
         const double rest = span.to - now;
-        const double rest_s = now == 0 && span.to == 1 ? step.step_s : step.step_s * rest;
+        const double rest_s = step.step_s * rest;
         const int parts = std::min(parts_of_step(island, rest_s), std::max(left, 1));
         const double next = parts == 1 ? span.to : now + rest / parts;
         step.part_s = rest_s / parts;

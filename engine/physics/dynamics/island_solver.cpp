@@ -120,7 +120,8 @@ struct IslandSolver::Impl {
 
     SubstepChoice choose(const Island& island, const IslandStep& step);
     void hold(const Island& island, const IslandStep& step, SubstepChoice& choice) const;
-    void gather(Island& island, const IslandStep& step, double h);
+    /// `at_impact`: with the distances at which the bodies touch.
+    void gather(Island& island, const IslandStep& step, double h, bool at_impact = false);
 
     std::uint32_t index_of(const BodyRecord& record);
     std::uint32_t posed_index_of(const BodyRecord& record);
@@ -250,7 +251,7 @@ void IslandSolver::Impl::hold(const Island& island,
     }
 }
 
-void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h) {
+void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h, bool at_impact) {
     loop.clear();
     records.assign(1, nullptr);
     bounds.clear();
@@ -269,6 +270,7 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
                     .a_moves = pushable(*manifold->a)},
                    static_cast<Real>(h),
                    loop.contacts);
+        if (!at_impact) continue;
         const auto near_m = static_cast<Real>(touching_m(*manifold->a, *manifold->b));
         loop.touching_m.resize(loop.contacts.constraints.size(),
                                std::isfinite(near_m) ? near_m : Real{0});
@@ -282,7 +284,7 @@ void IslandSolver::solve_impacts(Island& island, const IslandStep& step) {
     loads.clear();
     for (const Manifold* manifold : island.manifolds) loads.push_back(manifold->load);
     const double h = step.step_s * kImpactShare;
-    impl.gather(island, step, h);
+    impl.gather(island, step, h, true);
     const LoopReport report =
         impl.loop.run_impacts({.step_s = h,
                                .substeps = 1,

@@ -36,10 +36,8 @@ Real struck_spin_radps(const BodyRecord& record, const BodyRecord& other, Real c
 Real closing_mps(const Manifold& manifold) {
     Real most = 0;
     for (const ManifoldPoint& point : manifold.points) {
-        const BodyMotion& a = *manifold.a->motion;
-        const BodyMotion& b = *manifold.b->motion;
-        const Vec3 apart = a.velocity_mps + glm::cross(a.spin_radps, point.a.offset_m) -
-                           b.velocity_mps - glm::cross(b.spin_radps, point.b.offset_m);
+        const Vec3 apart = manifold.a->motion->velocity_at(point.a.offset_m) -
+                           manifold.b->motion->velocity_at(point.b.offset_m);
         most = std::max(most, -glm::dot(apart, point.normal_world));
     }
     return most;
@@ -94,19 +92,16 @@ bool may_be_parted(const Island& island, double step_s) {
 }
 
 int most_parts(const Island& island) {
-    const std::size_t parts =
-        kMostBodiesTimesParts / std::max(island.bodies.size(), std::size_t{1});
+    const std::size_t parts = kMostBodiesTimesParts / island.bodies.size();
     return static_cast<int>(std::clamp(parts, std::size_t{1}, kMostParts));
 }
 
 int parts_of_step(const Island& island, double rest_s) {
     if (!may_be_parted(island, rest_s)) return 1;
-    const int most = most_parts(island);
-    const bool finely = island.swept;
     Real share = 0;
     for (const Manifold* manifold : island.manifolds)
-        share = std::max(share, rolling_share(*manifold, static_cast<Real>(rest_s), finely));
-    return std::clamp(static_cast<int>(std::ceil(share)), 1, most);
+        share = std::max(share, rolling_share(*manifold, static_cast<Real>(rest_s), island.swept));
+    return std::clamp(static_cast<int>(std::ceil(share)), 1, most_parts(island));
 }
 
 }  // namespace plumbline::physics

@@ -172,8 +172,10 @@ void SmallStepWorld::look_ahead(const WorldFeatures& features) {
     pairs_.collide_woken(bodies, touching_);
     // Else all that flies side by side would be one island.
     bool dropped = false;
-    for (const SweptPath& path : ahead_)
+    for (const SweptPath& path : ahead_) {
+        if (path.after_impact) continue;  // its body has come before
         dropped = drop_points_ahead(*path.body, outlook) || dropped;
+    }
     if (dropped) pairs_.list_again(bodies, touching_);
 }
 

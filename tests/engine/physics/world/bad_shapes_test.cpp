@@ -1,7 +1,7 @@
 // Shapes and places that no careful person would write: refused with a message, or a motion that stays bounded.
 #include "engine/core/random.h"
 #include "engine/physics/totals.h"
-#include "tests/engine/physics/test_world.h"
+#include "tests/engine/physics/bullet/shape/shape_rig.h"
 
 #include <algorithm>
 #include <array>
@@ -44,13 +44,8 @@ struct BadWorld : TestWorld {
     std::vector<BodyId> moving;
 };
 
-/// Corners of a box about the origin.
 std::vector<Vec3> corners_of(const Vec3& half_m) {
-    std::vector<Vec3> corners;
-    for (const Real x : {-1.0_r, 1.0_r})
-        for (const Real y : {-1.0_r, 1.0_r})
-            for (const Real z : {-1.0_r, 1.0_r}) corners.push_back(half_m * Vec3{x, y, z});
-    return corners;
+    return corners_of_box(-half_m, half_m);
 }
 
 /// One of each kind that moves, about half a metre wide.
@@ -110,45 +105,27 @@ TEST(BadShapes, HullsOfDoubledPointsNeedlesAndSheetsFallAndLie) {
     }
 }
 
-/// A square of `cells` x `cells`, 4 m wide, about the origin.
-MeshShape floor_of(std::uint32_t cells) {
-    MeshShape mesh;
-    for (std::uint32_t z = 0; z <= cells; ++z)
-        for (std::uint32_t x = 0; x <= cells; ++x)
-            mesh.vertices_m.push_back({4 * static_cast<Real>(x) / static_cast<Real>(cells) - 2,
-                                       0,
-                                       4 * static_cast<Real>(z) / static_cast<Real>(cells) - 2});
-    for (std::uint32_t z = 0; z < cells; ++z) {
-        for (std::uint32_t x = 0; x < cells; ++x) {
-            const std::uint32_t at = z * (cells + 1) + x;
-            mesh.triangles.push_back({at, at + cells + 1, at + 1});
-            mesh.triangles.push_back({at + 1, at + cells + 1, at + cells + 2});
-        }
-    }
-    return mesh;
-}
-
 TEST(BadShapes, OnMeshesThatAreTornDoubledAndFlippedThingsComeToRest) {
     std::vector<std::pair<std::string, MeshShape>> meshes;
-    MeshShape doubled = floor_of(4);
+    MeshShape doubled = flat_mesh(4, 1);
     const auto once = doubled.triangles;
     doubled.triangles.insert(doubled.triangles.end(), once.begin(), once.end());
     meshes.emplace_back("every triangle twice", doubled);
-    MeshShape flipped = floor_of(4);
+    MeshShape flipped = flat_mesh(4, 1);
     for (std::size_t t = 0; t < flipped.triangles.size(); t += 3)
         std::swap(flipped.triangles[t][1], flipped.triangles[t][2]);
     meshes.emplace_back("every third flipped", flipped);
-    MeshShape torn = floor_of(40);  // holes are smaller than what falls
+    MeshShape torn = flat_mesh(40, 0.1_r);  // holes are smaller than what falls
     for (std::size_t t = 7; t < torn.triangles.size(); t += 11)
         torn.triangles.erase(torn.triangles.begin() + static_cast<std::ptrdiff_t>(t));
     meshes.emplace_back("holes", torn);
-    MeshShape needles = floor_of(4);
+    MeshShape needles = flat_mesh(4, 1);
     for (std::uint32_t i = 0; i + 2 < needles.vertices_m.size(); ++i) {
         needles.triangles.push_back({i, i, i + 1});
         needles.triangles.push_back({i, i + 1, i + 2});  // some have no area
     }
     meshes.emplace_back("triangles without area", needles);
-    MeshShape fins = floor_of(4);
+    MeshShape fins = flat_mesh(4, 1);
     for (std::uint32_t i = 0; i + 5 < 20; ++i) {
         fins.vertices_m.push_back(fins.vertices_m[i] + Vec3{0.05_r, -0.4_r, 0.05_r});
         fins.triangles.push_back(
@@ -167,12 +144,9 @@ TEST(BadShapes, OnMeshesThatAreTornDoubledAndFlippedThingsComeToRest) {
 }
 
 TEST(BadShapes, MeshesOfNoNumbersAreRefused) {
-    TestWorld test;
-    MeshShape mesh = floor_of(2);
+    MeshShape mesh = flat_mesh(2, 2);
     mesh.vertices_m[3].y = kNan;
-    const auto made = test.world.create_shape(mesh);
-    ASSERT_FALSE(made.ok());
-    EXPECT_EQ(made.error().message, "shape: mesh: vertex 3 is not finite");
+    EXPECT_EQ(refusal(mesh), "shape: mesh: vertex 3 is not finite");
 }
 
 TEST(BadShapes, PartsInsideEachOtherWeighAndStandAsASolid) {
