@@ -59,7 +59,7 @@ KNOWN_RED = {
         ("penetration_m at most 0.02", 0.0208, "the first of the chain, in the steps in which it is pressed hardest"),
     ],
     "H44": [
-        ("penetration_m at most 0.02", 0.0552, "the chain as it comes back from 100 m"),
+        ("penetration_m at most 0.02", 0.057, "the chain as it comes back from 100 m"),
         (BRAKED, 0.121, "the same"),
     ],
     "H54b": [
@@ -158,6 +158,7 @@ A looser limit is a commit of its own that says so, and a line here.
 | H12 (nightly) | inside its rules | mean displacement 0.258 m of 0.1 | came with contacts of our own, and went on from 0.2 with impacts that reach the ground within a sub-step; not explained further |
 | H15, known red: penetration | reaches 2.1 mm | 5.2 mm | the topmost pair of cards stays on now, and presses while it settles; before it slid off |
 | H17, known red: penetration | reaches 8.8 mm | 9.02 mm | other impacts than before, as they reach the ground within a sub-step |
+| H44, known red: penetration | reaches 5.52 cm, in float64 3.52 cm | 5.7 cm, 3.7 cm | joints are solved before contacts in each sub-step now: the chain comes back from 100 m on another way |
 | H66, known red: braked share | reaches 48.9 | 54.9 | the same; of balls on one spot |
 
 ## What is not here
