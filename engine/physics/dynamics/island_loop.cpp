@@ -7,6 +7,8 @@
 namespace plumbline::physics {
 namespace {
 
+using Sweep = ContactSet::Sweep;
+
 /// Slower spins gain less than 1e-4 rad/s2 from the gyroscopic torque: it is left out.
 constexpr Real kLeastGyroSpin_radps = 1e-2_r;
 /// Without gravity slower impacts do not bounce.
@@ -17,6 +19,8 @@ constexpr int kMostSweeps = 8;
 /// is left: it costs little.
 constexpr Real kRestless = 0.3_r;
 constexpr Real kRestlessOfFew = 0.1_r;
+/// With joints: what light feet carry of a heavy load comes to them in many sweeps, and what is left of that makes it rock.
+constexpr Real kRestlessOfJointed = 0.003_r;
 constexpr std::size_t kFewBodies = 64;
 
 /// Many bodies in one place push each other in rows, and what each pair may give adds up: none
@@ -96,13 +100,19 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     h_ = static_cast<Real>(h);
     const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
     const Real spring_s = settings.spring_s > 0 ? static_cast<Real>(settings.spring_s) : h_;
-    const bool sweeps_on = joints.empty() && bodies.size() <= kFewBodies;
+    const bool few = joints.empty() && bodies.size() <= kFewBodies;
+    const Real restless = few ? kRestlessOfFew : kRestless;
+    for (const SolverJoint& joint : joints) {
+        for (const std::uint32_t end : {joint.a, joint.b})
+            bodies[end].jointed = bodies[end].movable();
+    }
     contacts.begin_step(bodies,
                         {.h = h_,
                          .spring_s = spring_s,
                          .push_mps = settings.push_mps,
                          .bounce_mps = bounce_mps,
-                         .restless_mps = bounce_mps * (sweeps_on ? kRestlessOfFew : kRestless)});
+                         .restless_mps = bounce_mps * restless,
+                         .restless_jointed_mps = bounce_mps * kRestlessOfJointed});
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
     impacts_.begin_step(
@@ -145,10 +155,15 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
 }
 
 void IslandLoop::substep() {
-    if (impacts_.needed()) report_.impacts += impacts_.run();
+    if (impacts_.needed()) {
+        const auto impacts = impacts_.run();
+        report_.impacts += impacts;
+        if (impacts > 0 && !joints.empty()) joint_system_.forget_pushes();
+    }
     apply_steady_forces(bodies, contacts, h_);
     if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
     solve_velocities();
+    if (!joints.empty()) joint_system_.begin_motion(!contacts.constraints.empty());
     move_bodies(bodies, settings_.gyroscopic_torque, h_);
     hold_along_axes(held, bodies);
     if (!joints.empty()) {
@@ -162,19 +177,24 @@ void IslandLoop::substep() {
 
 void IslandLoop::solve_velocities() {
     if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
-    using Sweep = ContactSet::Sweep;
+    const bool both = !joints.empty() && !contacts.constraints.empty();
+    // Contacts see what joints press on them from the first sweep on, as they see their own impulses of before.
+    if (both) joint_system_.solve_velocities();
     bool is_restless = true;
     for (int i = 0; i < settings_.iterations || (is_restless && i < kMostSweeps); ++i) {
-        const Sweep others = joints.empty() ? Sweep::Restless : Sweep::BetweenJoints;
-        is_restless = contacts.sweep_with_bias(i < settings_.iterations ? Sweep::First : others);
+        is_restless =
+            contacts.sweep_with_bias(i < settings_.iterations ? Sweep::All : Sweep::Restless);
         if (!joints.empty()) joint_system_.solve_velocities();
         hold_along_axes(held, bodies);
     }
 }
 
 void IslandLoop::relax() {
-    for (int i = 0; i < settings_.iterations; ++i) {
-        contacts.relax();
+    // What the motion took to stay on the joints is no speed that contacts must stop.
+    if (!joints.empty() && !contacts.constraints.empty()) joint_system_.solve_velocities();
+    bool is_restless = true;
+    for (int i = 0; i < settings_.iterations || (is_restless && i < kMostSweeps); ++i) {
+        is_restless = contacts.relax(i < settings_.iterations ? Sweep::All : Sweep::Restless);
         if (!joints.empty()) joint_system_.solve_velocities();
         hold_along_axes(held, bodies);
     }

@@ -48,6 +48,7 @@ struct alignas(64) SolverBody {
     bool depenetrated{false};     ///< deep penetration pushed it in this step
     Real start_speed_mps{0};
     bool isotropic_inertia{true};  ///< all three moments equal: inverse_inertia never changes
+    bool jointed{false};           ///< movable, and a joint holds it
 
     bool movable() const { return inverse_mass > 0; }
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }

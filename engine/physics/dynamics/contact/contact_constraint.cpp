@@ -81,6 +81,7 @@ void prepare(ContactConstraint& constraint,
     constraint.start_normal = constraint.normal;
     constraint.against_immovable = !a.movable() || !b.movable();
     constraint.carried = !constraint.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
+    constraint.jointed = a.jointed || b.jointed;
     LaneVec3 gain_a;
     LaneVec3 gain_b;
     for (int i = 0; i < kLanes; ++i) {

@@ -68,6 +68,7 @@ struct alignas(16) ContactConstraint {
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
     bool carried{false};   ///< b turns and gives way to nothing
+    bool jointed{false};   ///< a joint holds a or b: its solution moves them again
     bool bounced{false};   ///< off in this sub-step: on its way out, at the speed it should have
     Vec3 normal{0, 1, 0};  ///< from b to a
     Vec3 start_normal{0, 1, 0};  ///< at the step's start

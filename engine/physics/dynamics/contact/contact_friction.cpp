@@ -53,9 +53,8 @@ Vec2 opposing_impulse(const ContactConstraint& constraint, const Vec2& slip) {
 
 /// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
 /// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
-/// and Papadopoulos, Planar sliding with dry friction, 1991). Returns whether what
-/// sticks changed by much.
-bool ContactSet::solve_friction(ContactConstraint& constraint) {
+/// and Papadopoulos, Planar sliding with dry friction, 1991).
+FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     const auto [center_a, center_b] = arms_of(constraint, a, b);
@@ -96,13 +95,15 @@ bool ContactSet::solve_friction(ContactConstraint& constraint) {
     const Vec3 change_b = force * b.inverse_mass;
     a.velocity_mps += change_a;
     b.velocity_mps -= change_b;
-    // Friction that is new in this sub-step acted in all of it: its half of the way.
-    a.delta_position_m += change_a * (h_ / 2);
-    b.delta_position_m -= change_b * (h_ / 2);
+    // Friction that is new in this sub-step acted in all of it: its half of the way. Joints would take that back.
+    if (!constraint.jointed) {
+        a.delta_position_m += change_a * (h_ / 2);
+        b.delta_position_m -= change_b * (h_ / 2);
+    }
     a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
     b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
     row_solves += 3;
-    return changed;
+    return {.changed_mps = glm::length(force) * constraint.slip_response[0], .is_much = changed};
 }
 
 /// Resistance to rolling and to spinning: torques of at most a length times the load. Returns

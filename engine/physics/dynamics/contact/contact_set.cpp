@@ -70,12 +70,13 @@ void mark_depenetrated(SolverBody& a, SolverBody& b) {
 }  // namespace
 
 void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& settings) {
-    const auto& [h, spring_s, push_mps, bounce_mps, restless_mps] = settings;
+    const auto& [h, spring_s, push_mps, bounce_mps, restless_mps, restless_jointed_mps] = settings;
     bodies_ = bodies;
     h_ = h;
     push_mps_ = push_mps;
     bounce_mps_ = bounce_mps;
     restless_mps_ = restless_mps;
+    restless_jointed_mps_ = restless_jointed_mps;
     row_solves = 0;
     const Real stiff_hz = kContactFrequency / h;
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
@@ -257,33 +258,40 @@ Real ContactSet::solve_with_bias(ContactConstraint& constraint) {
     }
     if (!solved) next = projected(constraint, wanted, compliance);
     const NormalChange change = apply_normal(constraint, a, b, next);
-    if (is_between_joints_) {
-        // What contacts and joints push to and fro is no steady force.
-    } else if (change.gained_Ns > 0) {
+    const Real changed_mps = change.changed_Ns * constraint.response[0][0];
+    if (change.gained_Ns > 0) {
         hold_against(a, constraint.normal, change.gained_Ns * a.inverse_mass);
         hold_against(b, -constraint.normal, change.gained_Ns * b.inverse_mass);
     } else {
         take_back(a, change.velocity_a, change.spin_a);
         take_back(b, change.velocity_b, change.spin_b);
     }
-    return change.changed_Ns * constraint.response[0][0];
+    // Bodies that slid on what they stand on while they are pushed out of it would stay where they slid to.
+    if (constraint.jointed && constraint.friction > 0)
+        return changed_mps + solve_friction(constraint).changed_mps;
+    return changed_mps;
 }
 
-void ContactSet::relax(ContactConstraint& constraint) {
+/// Returns by how much it changed speeds at the contact, m/s.
+Real ContactSet::relax(ContactConstraint& constraint) {
     update_separations(constraint);
     // Friction turns a body about its centre, which loads other points than before: where it did
     // so, both are solved again.
+    Real changed_mps = 0;
     for (int round = 0; round < kFrictionRounds; ++round) {
-        if (!relax_normal(constraint)) return;
-        bool changed = constraint.friction > 0 && solve_friction(constraint);
+        if (!relax_normal(constraint, changed_mps)) break;
+        FrictionChange change;
+        if (constraint.friction > 0) change = solve_friction(constraint);
+        changed_mps += change.changed_mps;
         if (constraint.rolling_m > 0 || constraint.spinning_m > 0)
-            changed |= resist_rolling(constraint);
-        if (!changed) return;
+            change.is_much |= resist_rolling(constraint);
+        if (!change.is_much) break;
     }
+    return changed_mps;
 }
 
 /// Normal impulses without bias. False: the bodies are apart and nothing holds them any more.
-bool ContactSet::relax_normal(ContactConstraint& constraint) {
+bool ContactSet::relax_normal(ContactConstraint& constraint, Real& changed_mps) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     Lanes wanted = opening_speeds(constraint, a, b);
@@ -308,14 +316,15 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
         solved = all_press(next, constraint.count);
     }
     if (!solved) next = projected(constraint, wanted, Lanes{});
-    apply_normal(constraint, a, b, next);
+    changed_mps += apply_normal(constraint, a, b, next).changed_Ns * constraint.response[0][0];
     row_solves += static_cast<std::uint64_t>(constraint.count);
     return true;
 }
 
 /// Whether a sweep that changed the speed at the contact by so much left its bodies far from where they settle.
 bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) const {
-    const Real beyond_mps = changed_mps - restless_mps_;
+    const Real beyond_mps =
+        changed_mps - (constraint.jointed ? restless_jointed_mps_ : restless_mps_);
     if (beyond_mps <= 0) return false;
     const Vec3& of_a = bodies_[constraint.a].velocity_mps;
     const Vec3& of_b = bodies_[constraint.b].velocity_mps;
@@ -323,18 +332,18 @@ bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) 
     return beyond_mps * beyond_mps > kRestlessOfSpeed * kRestlessOfSpeed * speed2;
 }
 
-bool ContactSet::sweep_with_bias(Sweep sweep) {
+/// `solve` returns by how much it changed the speed at a constraint.
+template <typename Solve>
+bool ContactSet::sweep(Sweep which, Solve solve) {
     bool any = false;
-    is_between_joints_ = sweep == Sweep::BetweenJoints;
     std::swap(was_restless_, is_restless_);
     is_restless_.assign(bodies_.size(), false);
     for (const std::uint32_t index : order_) {
         ContactConstraint& constraint = constraints[index];
-        if (sweep == Sweep::Restless && !was_restless_[constraint.a] &&
+        if (which == Sweep::Restless && !constraint.jointed && !was_restless_[constraint.a] &&
             !was_restless_[constraint.b])
             continue;
-        row_solves += static_cast<std::uint64_t>(constraint.count);
-        if (!is_much(solve_with_bias(constraint), constraint)) continue;
+        if (!is_much(solve(constraint), constraint)) continue;
         any = true;
         for (const std::uint32_t body : {constraint.a, constraint.b})
             is_restless_[body] = bodies_[body].movable();
@@ -342,10 +351,18 @@ bool ContactSet::sweep_with_bias(Sweep sweep) {
     return any;
 }
 
-void ContactSet::relax() {
-    for (const std::uint32_t index : order_) {
-        relax(constraints[index]);
-    }
+bool ContactSet::sweep_with_bias(Sweep which) {
+    return sweep(which, [this](ContactConstraint& constraint) {
+        row_solves += static_cast<std::uint64_t>(constraint.count);
+        return solve_with_bias(constraint);
+    });
+}
+
+bool ContactSet::relax(Sweep which) {
+    return sweep(which, [this](ContactConstraint& constraint) {
+        const Real changed_mps = relax(constraint);
+        return constraint.jointed ? changed_mps : Real{0};
+    });
 }
 
 void ContactSet::end_substep() {

@@ -20,6 +20,13 @@ struct SweepSettings {
     Real push_mps{3};            ///< the fastest that penetration pushes bodies apart
     Real bounce_mps{1e-3_r};     ///< the slowest impact that restitution acts on
     Real restless_mps{1e-3_r};   ///< what a sweep changes a speed by at least for another to follow
+    Real restless_jointed_mps{1e-5_r};  ///< the same of contacts of jointed bodies
+};
+
+/// What a solution of one constraint's friction did.
+struct FrictionChange {
+    Real changed_mps{0};  ///< of the slip
+    bool is_much{false};  ///< of what sticks
 };
 
 class ContactSet {
@@ -30,12 +37,13 @@ public:
     void begin_step(std::span<SolverBody> bodies, const SweepSettings& settings);
     /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
-    /// A sub-step's first sweeps with bias are of all constraints; others of those that meet a body whose velocity the sweep
-    /// before changed by much, or, between joints' solutions, of all again.
-    enum class Sweep : std::uint8_t { First, Restless, BetweenJoints };
+    /// A sub-step's first sweeps are of all constraints; others of those that meet a body whose velocity the sweep before
+    /// changed by much, and of those of jointed bodies, whose velocities the joints' solution changed since.
+    enum class Sweep : std::uint8_t { All, Restless };
     /// Whether it changed a velocity by much.
     bool sweep_with_bias(Sweep sweep);
-    void relax();
+    /// The same of a jointed body's: others are relaxed once.
+    bool relax(Sweep sweep);
     /// Adds what the constraints hold to their totals.
     void end_substep();
     /// Separations now; where a sphere touches, its arms follow it.
@@ -49,10 +57,12 @@ private:
     void measure_crowds();
     void prepare_pair(std::span<ContactConstraint> pair);
     bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
+    template <typename Solve>
+    bool sweep(Sweep which, Solve solve);
     Real solve_with_bias(ContactConstraint& constraint);
-    void relax(ContactConstraint& constraint);
-    bool relax_normal(ContactConstraint& constraint);
-    bool solve_friction(ContactConstraint& constraint);
+    Real relax(ContactConstraint& constraint);
+    bool relax_normal(ContactConstraint& constraint, Real& changed_mps);
+    FrictionChange solve_friction(ContactConstraint& constraint);
     bool resist_rolling(ContactConstraint& constraint);
 
     std::span<SolverBody> bodies_;
@@ -62,11 +72,11 @@ private:
     std::vector<bool> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
-    bool is_between_joints_{false};
     Real h_{0};
     Real push_mps_{3};
     Real bounce_mps_{0};
     Real restless_mps_{0};
+    Real restless_jointed_mps_{0};
 };
 
 }  // namespace plumbline::physics

@@ -46,10 +46,10 @@ void DirectJoints::start(JointGroup& group) {
     factor(group);
 }
 
-void DirectJoints::factor(const JointGroup& group) {
+void DirectJoints::factor(const JointGroup& group, BlockLdlt& matrix) {
     for (const JointComponent& component : group.topology->components) {
-        assemble(group, component, matrix_);
-        matrix_.factor(component.first_node, component.last_node, floor_);
+        assemble(group, component, matrix);
+        matrix.factor(component.first_node, component.last_node, floor_);
     }
 }
 
@@ -115,6 +115,19 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
         group.impulses[i] += x_[i];
     }
     group.row_solves += 3 * (component.last_node - component.first_node);
+}
+
+void DirectJoints::hold_steady_changes(JointGroup& group) {
+    group.with_motion(steady_change_of, [&] {
+        for (std::size_t i = 0; i < group.rows.size(); ++i)
+            x_[i] = masked(-group.rows[i].speeds(group.bodies), group.rows[i].active);
+        solve_all(group, matrix_);
+        for (std::size_t i = 0; i < group.rows.size(); ++i) group.rows[i].push(group.bodies, x_[i]);
+        for (const JointBody& body : group.bodies) {
+            body.body->velocity_increment_mps = Vec3(body.velocity_mps);
+            body.body->spin_increment_radps = Vec3(body.spin_radps);
+        }
+    });
 }
 
 void DirectJoints::correct_positions(JointGroup& group, std::span<JointSpring> springs) {
@@ -253,13 +266,6 @@ BlockLdlt& DirectJoints::position_matrix() {
     return holds_springs_ ? spring_matrix_ : matrix_;
 }
 
-void DirectJoints::factor_positions(const JointGroup& group) {
-    for (const JointComponent& component : group.topology->components) {
-        assemble(group, component, position_matrix());
-        position_matrix().factor(component.first_node, component.last_node, floor_);
-    }
-}
-
 /// Leaves the correction in x_; the largest of it.
 double DirectJoints::gather_errors(const JointGroup& group) {
     double largest = 0;
@@ -308,10 +314,7 @@ void DirectJoints::displace(JointGroup& group, double share, bool with_velocitie
 /// Leaves the springs' impulses, in view of what the joints will make of them, in x_.
 void DirectJoints::solve_springs(JointGroup& group) {
     spring_matrix_.fit(group.topology->pattern);
-    for (const JointComponent& component : group.topology->components) {
-        assemble(group, component, spring_matrix_);
-        spring_matrix_.factor(component.first_node, component.last_node, floor_);
-    }
+    factor(group, spring_matrix_);
     for (const JointBound& bound : group.bounds) {
         wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
     }
@@ -323,16 +326,23 @@ void DirectJoints::solve_springs(JointGroup& group) {
 }
 
 /// Only what the springs themselves give: the joints' part is found once all forces are in.
-void DirectJoints::push_springs_only(JointGroup& group, std::span<const JointSpring> springs) {
-    for (const JointSpring& spring : springs) {
-        const Vec3d impulse{group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0, 0, 0};
-        group.rows[spring.node].push(group.bodies, impulse);
-        group.impulses[spring.node] += impulse;
+void DirectJoints::push_springs_only(JointGroup& group,
+                                     std::span<JointSpring> springs,
+                                     bool steadily) {
+    for (JointSpring& spring : springs) {
+        const double impulse_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0;
+        if (steadily && !spring.unresolved) {
+            SpringLine(spring).push_steadily(spring, impulse_Ns);
+        } else {
+            if (steadily) spring.kept_Ns += impulse_Ns;
+            group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
+        }
+        group.impulses[spring.node].x += impulse_Ns;
         group.rows[spring.node].active = 0;
     }
 }
 
-void DirectJoints::damp_springs(JointGroup& group, std::span<const JointSpring> springs) {
+void DirectJoints::damp_springs(JointGroup& group, std::span<JointSpring> springs) {
     bool any = false;
     for (const JointSpring& spring : springs) {
         const double inverse_mass = SpringLine(spring).inverse_mass;
@@ -343,20 +353,11 @@ void DirectJoints::damp_springs(JointGroup& group, std::span<const JointSpring> 
         group.rows[spring.node].active = 0b001;
     }
     if (!any) return;
-    const std::vector<JointBody>& bodies = group.bodies;
-    now_.assign(bodies.size(), StartOfSubstep{});
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        now_[i] = {bodies[i].velocity_mps, bodies[i].spin_radps};
-        const StartOfSubstep start = start_of_substep(bodies[i], group.substep_s);
-        group.bodies[i].velocity_mps = start.velocity_mps;
-        group.bodies[i].spin_radps = start.spin_radps;
-    }
-    solve_springs(group);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        group.bodies[i].velocity_mps = now_[i].velocity_mps;
-        group.bodies[i].spin_radps = now_[i].spin_radps;
-    }
-    push_springs_only(group, springs);
+    const auto at_start = [&](const JointBody& body) {
+        return start_of_substep(body, group.substep_s);
+    };
+    group.with_motion(at_start, [&] { solve_springs(group); });
+    push_springs_only(group, springs, false);
 }
 
 void DirectJoints::push_springs(JointGroup& group,
@@ -367,6 +368,7 @@ void DirectJoints::push_springs(JointGroup& group,
     bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
     damp_springs(group, springs);
     for (JointSpring& spring : springs) {
+        spring.kept_Ns = spring.ahead_Ns = 0;
         if (!(spring.stiffness_Npm > 0)) continue;
         const SpringLine line(spring);
         spring.extension_m = line.length_m - spring.rest_m;
@@ -374,7 +376,6 @@ void DirectJoints::push_springs(JointGroup& group,
         bias_[spring.node].x = row.bias_mps;
         compliance_[spring.node] = row.compliance;
     }
-    for (JointSpring& spring : springs) spring.kept_Ns = 0;
     adjust_springs(group, springs);
 }
 
@@ -382,16 +383,12 @@ void DirectJoints::adjust_springs(JointGroup& group, std::span<JointSpring> spri
     for (const JointSpring& spring : springs) {
         if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
     }
-    group.take_half_of_steady(1);
-    solve_springs(group);
-    group.take_half_of_steady(-1);
-    for (JointSpring& spring : springs) {
+    group.with_motion(mean_motion_of, [&] { solve_springs(group); });
+    for (const JointSpring& spring : springs) {
         if (!group.rows[spring.node].is_active(0)) continue;
-        const double more = x_[spring.node].x;
-        spring.kept_Ns += more;
-        bias_[spring.node].x += compliance_[spring.node] * more;
+        bias_[spring.node].x += compliance_[spring.node] * x_[spring.node].x;
     }
-    push_springs_only(group, springs);
+    push_springs_only(group, springs, true);
 }
 
 }  // namespace plumbline::physics

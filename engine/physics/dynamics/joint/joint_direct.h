@@ -12,9 +12,11 @@ public:
     /// Room for the group's topology, and the factor at its start.
     void start(JointGroup& group);
     /// The factor at the rows' latest refresh.
-    void factor(const JointGroup& group);
+    void factor(const JointGroup& group) { factor(group, matrix_); }
     /// Velocities that all rows allow. Rows with bounds find their step by trying.
     void solve_velocities(JointGroup& group);
+    /// As JointSystem::begin_motion().
+    void hold_steady_changes(JointGroup& group);
     /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
     /// unresolved springs; velocities get what that took.
     void correct_positions(JointGroup& group, std::span<JointSpring> springs);
@@ -28,6 +30,7 @@ public:
 
 private:
     void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
+    void factor(const JointGroup& group, BlockLdlt& matrix);
     void solve_component(JointGroup& group, const JointComponent& component);
     void push_solution(JointGroup& group, const JointComponent& component);
     void hold_positions(JointGroup& group);
@@ -35,7 +38,7 @@ private:
     void release_springs(JointGroup& group, std::span<JointSpring> springs);
     void leave_eased(JointGroup& group);
     BlockLdlt& position_matrix();
-    void factor_positions(const JointGroup& group);
+    void factor_positions(const JointGroup& group) { factor(group, position_matrix()); }
     double gather_errors(const JointGroup& group);
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
     void converge(JointGroup& group);
@@ -43,8 +46,8 @@ private:
     void keep_as_residual(JointGroup& group);
     void displace(JointGroup& group, double share, bool with_velocities);
     void solve_springs(JointGroup& group);
-    void damp_springs(JointGroup& group, std::span<const JointSpring> springs);
-    void push_springs_only(JointGroup& group, std::span<const JointSpring> springs);
+    void damp_springs(JointGroup& group, std::span<JointSpring> springs);
+    void push_springs_only(JointGroup& group, std::span<JointSpring> springs, bool steadily);
 
     GeometricStiffness stiffness_;
     BlockLdlt matrix_;
@@ -56,8 +59,7 @@ private:
     std::vector<Vec3d> held_;         // errors that positions are corrected to
     std::vector<double> compliance_;  // of stiff springs, by node; 0: none
     std::vector<Vec3d> bias_;         // of stiff springs, by node
-    std::vector<StartOfSubstep> now_;
-    bool holds_springs_{false};  // positions are solved with unresolved springs' rows
+    bool holds_springs_{false};       // positions are solved with unresolved springs' rows
 };
 
 }  // namespace plumbline::physics

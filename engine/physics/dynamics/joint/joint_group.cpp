@@ -126,14 +126,6 @@ bool JointGroup::ease_pushes(std::span<JointBound> component_bounds,
     return eased;
 }
 
-void JointGroup::take_half_of_steady(double sign) {
-    for (JointBody& body : bodies) {
-        if (!body.movable) continue;
-        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->velocity_increment_mps);
-        body.spin_radps -= sign * 0.5 * Vec3d(body.body->spin_increment_radps);
-    }
-}
-
 Vec3d JointGroup::reduced_residual(const Vec3d& residual, double substep_s) {
     const double length = glm::length(residual);
     if (length < kSmallError) return {0, 0, 0};

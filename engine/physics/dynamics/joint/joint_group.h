@@ -13,6 +13,21 @@ struct JointTotal {
     Vec3d angular_impulse_Nms{0, 0, 0};
 };
 
+struct BodyVelocities {
+    Vec3d velocity_mps{0, 0, 0};
+    Vec3d spin_radps{0, 0, 0};
+};
+/// What acts all through the sub-step changes of a body's velocities.
+inline BodyVelocities steady_change_of(const JointBody& body) {
+    return {Vec3d(body.body->velocity_increment_mps), Vec3d(body.body->spin_increment_radps)};
+}
+/// The body's velocities as it moves: without half of that.
+inline BodyVelocities mean_motion_of(const JointBody& body) {
+    const BodyVelocities steady = steady_change_of(body);
+    return {body.velocity_mps - 0.5 * steady.velocity_mps,
+            body.spin_radps - 0.5 * steady.spin_radps};
+}
+
 struct JointGroup {
     double substep_s{0};
     std::span<SolverJoint> joints;
@@ -52,10 +67,27 @@ struct JointGroup {
     /// one would have given more by these impulses, and is slower now.
     static bool ease_pushes(std::span<JointBound> component_bounds,
                             std::span<const Vec3d> more_impulses);
-    /// Velocities without half of what steady forces change in a sub-step (1), or with it again (-1).
-    void take_half_of_steady(double sign);
+    /// Solves with the velocities `of` bodies in place of their own.
+    template <typename Of, typename Solve>
+    void with_motion(Of of, Solve solve) {
+        own_.clear();
+        for (JointBody& body : bodies) {
+            own_.push_back({body.velocity_mps, body.spin_radps});
+            const BodyVelocities other = of(body);
+            body.velocity_mps = other.velocity_mps;
+            body.spin_radps = other.spin_radps;
+        }
+        solve();
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            bodies[i].velocity_mps = own_[i].velocity_mps;
+            bodies[i].spin_radps = own_[i].spin_radps;
+        }
+    }
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
     static Vec3d reduced_residual(const Vec3d& residual, double substep_s);
+
+private:
+    std::vector<BodyVelocities> own_;  // room for with_motion()
 };
 
 }  // namespace plumbline::physics

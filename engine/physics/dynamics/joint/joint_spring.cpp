@@ -105,6 +105,32 @@ void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
     spring.b->spin_radps += response_b * impulse_Ns;
 }
 
+void SpringLine::push_steadily(JointSpring& spring, double impulse_Ns) const {
+    spring.kept_Ns += impulse_Ns;
+    const double least_Ns = std::min(std::abs(spring.kept_Ns), std::abs(spring.before_Ns));
+    const double steady_Ns = least_Ns - std::abs(spring.kept_Ns - spring.before_Ns);
+    const double lasting_Ns = std::copysign(std::max(steady_Ns, 0.0), spring.kept_Ns);
+    push(spring, impulse_Ns);
+    set_ahead(spring, lasting_Ns);
+}
+
+void SpringLine::take_back_ahead(JointSpring& spring) const {
+    set_ahead(spring, 0);
+}
+
+void SpringLine::set_ahead(JointSpring& spring, double ahead_Ns) const {
+    const double more_Ns = ahead_Ns - spring.ahead_Ns;
+    spring.ahead_Ns = ahead_Ns;
+    push(spring, more_Ns);
+    // Twice: the motion's speed is without the half of a steady change.
+    const auto add = [&](SolverBody& body, double per_mass, const Vec3d& response) {
+        body.velocity_increment_mps += Vec3(direction * (2 * more_Ns * per_mass));
+        body.spin_increment_radps += Vec3(response * (2 * more_Ns));
+    };
+    add(*spring.a->body, -spring.a->inverse_mass, response_a);
+    add(*spring.b->body, spring.b->inverse_mass, response_b);
+}
+
 bool turns_bodies(const SolverJoint& spring, std::span<const SolverBody> bodies, double substep_s) {
     return lever_share(spring, bodies, substep_s) > kMostExplicit;
 }
@@ -144,7 +170,7 @@ void find_stiff_springs(std::span<const SolverBody> bodies,
     }
 }
 
-void push_soft_spring(const JointSpring& spring,
+void push_soft_spring(JointSpring& spring,
                       double substep_s,
                       double duration_s,
                       bool after_motion,
@@ -166,9 +192,14 @@ void push_soft_spring(const JointSpring& spring,
         lost_by_steps(0.5 * substep_s * std::sqrt(spring.stiffness_Npm * line.inverse_mass));
     const double force = force_N(spring, line);
     const double impulse = duration_s * (force - lost * (force + steady_force_N(spring, line)));
-    line.push(spring, impulse);
+    if (after_motion) {
+        spring.kept_Ns = impulse;
+        return push_second_half(spring, group);
+    }
+    spring.kept_Ns = spring.ahead_Ns = 0;
+    line.push_steadily(spring, impulse);
     add_to_totals(spring, line, impulse, group);
-    if (!after_motion) damp();
+    damp();
 }
 
 StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s) {
@@ -193,8 +224,8 @@ StiffRow damping_row(const JointSpring& spring, double inverse_mass, double subs
     return {.bias_mps = 0, .compliance = compliance};
 }
 
-StartOfSubstep start_of_substep(const JointBody& body, double substep_s) {
-    StartOfSubstep start{body.velocity_mps, body.spin_radps};
+BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
+    BodyVelocities start{body.velocity_mps, body.spin_radps};
     if (!body.movable) return start;
     const SolverBody& of = *body.body;
     const bool steady =
@@ -210,7 +241,7 @@ void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
     if (!(line.inverse_mass > 0) || !(spring.damping_Nspm > 0)) return;
     const auto at = [&](const JointBody& body, const Vec3d& arm) {
-        const StartOfSubstep start = start_of_substep(body, group.substep_s);
+        const BodyVelocities start = start_of_substep(body, group.substep_s);
         return start.velocity_mps + glm::cross(start.spin_radps, arm);
     };
     const double speed =
@@ -222,7 +253,7 @@ void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
 }
 
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
-    spring.kept_Ns = 0;
+    spring.kept_Ns = spring.ahead_Ns = 0;
     adjust_stiff_spring(spring, duration_s, group);
 }
 
@@ -233,16 +264,21 @@ void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& gro
     const double more =
         -(line.mean_speed(spring) + row.bias_mps + row.compliance * spring.kept_Ns) /
         (line.inverse_mass + row.compliance);
-    spring.kept_Ns += more;
-    line.push(spring, more);
+    if (spring.unresolved) {
+        spring.kept_Ns += more;
+        line.push(spring, more);
+    } else {
+        line.push_steadily(spring, more);
+    }
     add_to_totals(spring, line, more, group);
 }
 
-void repeat_stiff_spring(const JointSpring& spring, JointGroup& group) {
+void push_second_half(JointSpring& spring, JointGroup& group) {
     if (spring.unresolved) return;
     const SpringLine line(spring);
     line.push(spring, spring.kept_Ns);
     add_to_totals(spring, line, spring.kept_Ns, group);
+    spring.before_Ns = spring.kept_Ns;
 }
 
 }  // namespace plumbline::physics

@@ -1,8 +1,9 @@
 // Springs with damping between two anchors.
 //
-// Soft ones (a sub-step is a small part of their period) push explicitly, half before the bodies
-// move and half after, with a force that makes the period of two free bodies right; their damping
-// is the exact decay between those pushes. Stiff ones follow the implicit midpoint rule, solved
+// Soft ones (a sub-step is a small part of their period) push explicitly, by half of the force before the bodies move and
+// half of that after, with a force that makes the period of two free bodies right; their damping
+// is the exact decay between those pushes. Of the half of after, what hardly changed since the sub-step
+// before is pushed ahead until the bodies move: what rests on a spring is pushed by all of it when contacts are solved. Stiff ones follow the implicit midpoint rule, solved
 // together with the joints: it keeps the energy. Their damping comes before it and only ever takes
 // energy. Springs that swing more than three times within a sub-step follow implicit Euler, which
 // takes that swing away: what a turn of bodies stretches them by in a sub-step would swing on.
@@ -22,7 +23,9 @@ struct JointSpring {
     double stiffness_Npm{0};
     double damping_Nspm{0};
     double rest_m{0};
-    double kept_Ns{0};       ///< stiff: the pushes before the motion, which the one after repeats
+    double kept_Ns{0};       ///< half of the sub-step's push
+    double ahead_Ns{0};      ///< of the other half: before the motion
+    double before_Ns{0};     ///< half of the push of the sub-step before
     double extension_m{0};   ///< stiff: when the motion began
     bool turns{false};       ///< stiff: solved at the end of the motion
     bool unresolved{false};  ///< stiff: all of its push comes before the motion
@@ -43,6 +46,14 @@ struct SpringLine {
     /// The speed without half of what steady forces change in the sub-step: that of the motion.
     double mean_speed(const JointSpring& spring) const;
     void push(const JointSpring& spring, double impulse_Ns) const;
+    /// More of the half before the motion, and of the other half what hardly changed since the sub-step before, as a steady
+    /// change: what a swinging spring pushes ahead of an impact would give energy.
+    void push_steadily(JointSpring& spring, double impulse_Ns) const;
+    /// Takes what was pushed ahead back: it is pushed when the bodies have moved.
+    void take_back_ahead(JointSpring& spring) const;
+
+private:
+    void set_ahead(JointSpring& spring, double ahead_Ns) const;
 };
 
 /// Whether the spring turns its bodies so much within a sub-step that its line at the start says too
@@ -58,13 +69,10 @@ void find_stiff_springs(std::span<const SolverBody> bodies,
                         std::vector<double>& by_body,
                         std::vector<bool>& stiff);
 
-/// The explicit half push of a soft spring, with its damping for the same time: the push first
+/// The explicit push of a soft spring, with its damping over half a sub-step: the push first
 /// before the bodies move, the damping first after.
-void push_soft_spring(const JointSpring& spring,
-                      double substep_s,
-                      double duration_s,
-                      bool after_motion,
-                      JointGroup& group);
+void push_soft_spring(
+    JointSpring& spring, double substep_s, double duration_s, bool after_motion, JointGroup& group);
 /// A stiff spring as a row. With m the row's mass, its impulse J satisfies
 /// J / m + compliance * J = -(speed + bias).
 struct StiffRow {
@@ -76,12 +84,8 @@ StiffRow push_row(const JointSpring& spring, const SpringLine& line, double dura
 /// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
 /// without damping.
 StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s);
-/// The velocity that the sub-step began with: without what the caller's accelerations did since.
-struct StartOfSubstep {
-    Vec3d velocity_mps{0, 0, 0};
-    Vec3d spin_radps{0, 0, 0};
-};
-StartOfSubstep start_of_substep(const JointBody& body, double substep_s);
+/// The velocities that the sub-step began with: without what the caller's accelerations did since.
+BodyVelocities start_of_substep(const JointBody& body, double substep_s);
 
 /// A stiff spring by itself: its damping, its half push before the motion.
 void damp_stiff_spring(const JointSpring& spring, JointGroup& group);
@@ -89,6 +93,6 @@ void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group
 /// What contacts changed since the half push before the motion, the push takes in view.
 void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
 /// The half push after the motion.
-void repeat_stiff_spring(const JointSpring& spring, JointGroup& group);
+void push_second_half(JointSpring& spring, JointGroup& group);
 
 }  // namespace plumbline::physics

@@ -20,7 +20,8 @@ JointSpring spring_of(std::size_t index, JointGroup& group) {
             .anchor_in_b = joint.anchor_in_b,
             .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
             .damping_Nspm = static_cast<double>(joint.damping_Nspm),
-            .rest_m = static_cast<double>(joint.rest_length_m)};
+            .rest_m = static_cast<double>(joint.rest_length_m),
+            .before_Ns = static_cast<double>(joint.bound_load[0]) * group.substep_s / 2};
 }
 
 /// Springs that are forces.
@@ -97,6 +98,11 @@ struct JointSystem::Impl {
     void push_springs(double duration_s);
     void adjust_springs();
     void finish_joint(std::size_t index);
+    template <typename Visit>
+    void for_springs(Visit visit) {
+        for (JointSpring& spring : soft_springs) visit(spring);
+        for (JointSpring& spring : stiff_springs) visit(spring);
+    }
 };
 
 void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
@@ -127,7 +133,7 @@ void JointSystem::Impl::push_springs(double duration_s) {
         push_soft_spring(soft_springs[index], group.substep_s, duration_s, after_motion, group);
     }
     if (after_motion) {
-        for (const JointSpring& spring : stiff_springs) repeat_stiff_spring(spring, group);
+        for (JointSpring& spring : stiff_springs) push_second_half(spring, group);
     } else if (is_direct()) {
         direct.push_springs(group, stiff_springs, duration_s);
     } else {
@@ -217,6 +223,21 @@ void JointSystem::solve_velocities() {
     impl.group.write_velocities();
 }
 
+void JointSystem::forget_pushes() {
+    impl_->for_springs([](JointSpring& spring) { spring.before_Ns = 0; });
+}
+
+void JointSystem::begin_motion(bool hold_steady_changes) {
+    Impl& impl = *impl_;
+    if (hold_steady_changes && impl.is_direct()) impl.direct.hold_steady_changes(impl.group);
+    bool any = false;
+    impl.for_springs([&](const JointSpring& spring) { any = any || spring.ahead_Ns != 0; });
+    if (!any) return;
+    impl.group.read_velocities();
+    impl.for_springs([&](JointSpring& spring) { SpringLine(spring).take_back_ahead(spring); });
+    impl.group.write_velocities();
+}
+
 void JointSystem::correct_positions() {
     Impl& impl = *impl_;
     for (JointBody& body : impl.group.bodies) body.read_pose();
@@ -247,6 +268,10 @@ void JointSystem::finish() {
     Impl& impl = *impl_;
     impl.group.collect_totals();
     for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i);
+    impl.for_springs([&](const JointSpring& spring) {
+        impl.group.joints[spring.joint].bound_load[0] =
+            static_cast<Real>(2 * spring.before_Ns / impl.group.substep_s);
+    });
     for (const JointBound& bound : impl.group.bounds) {
         bound.store_load(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }

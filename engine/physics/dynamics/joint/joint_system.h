@@ -37,7 +37,8 @@ struct SolverJoint {
 
     // Kept by the caller from step to step, in N and N m: mean loads of sub-steps, which fit sub-steps
     // of any length.
-    std::array<Real, 3> bound_load{0, 0, 0};  ///< warm start of limits and motor
+    std::array<Real, 3> bound_load{
+        0, 0, 0};  ///< warm start of limits and motor; a spring's latest push in the first
     /// Force and torque: warm start of the iterative method; with the direct one those on b, by which
     /// the next step knows how hard bodies are pulled.
     std::array<Real, 6> mean_load{0, 0, 0, 0, 0, 0};
@@ -67,11 +68,12 @@ struct JointWork {
 ///     the bodies' accelerations change the velocities for h, by the caller, who notes the change in
 ///     velocity_increment_mps and spin_increment_radps
 ///     push_springs(h/2); solve_velocities(), which contact sweeps may alternate with
+///     begin_motion()
 ///     bodies move by their velocity less half of the steady change, by the caller
 ///     correct_positions(); push_springs(h/2); refresh()
 ///     solve_velocities(), which relax sweeps may alternate with
-/// The same without steady changes: accelerations for h/2 at the start, and for h/2 again before
-/// the last solve. Both are second order.
+/// The same without steady changes, which must then be zero at the start: accelerations for h/2 at the start, and for h/2
+/// again before the last solve. Both are second order.
 class JointSystem {
 public:
     JointSystem();
@@ -87,8 +89,13 @@ public:
     /// Springs and their damping, as velocity changes over `duration_s`, half a sub-step. The first
     /// of the two begins the sub-step.
     void push_springs(double duration_s);
+    /// After an impact springs push as if they had not pushed before.
+    void forget_pushes();
     /// Velocities that the joints allow: limits and motors swept, then all rows exactly.
     void solve_velocities();
+    /// Takes back what springs pushed ahead. `hold_steady_changes`: takes out of the bodies' steady changes what joints take out
+    /// of their velocities, so that where forces, contacts and joints balance none is left to take half of the way for.
+    void begin_motion(bool hold_steady_changes);
     /// Puts the bodies back on the joints after they moved; the velocities get what that took.
     void correct_positions();
     /// Jacobians, world inertias and factor at the present poses.

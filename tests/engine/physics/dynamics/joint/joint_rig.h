@@ -138,9 +138,9 @@ private:
             const auto t = static_cast<Real>(duration_s);
             body.velocity_mps += body.acceleration_mps2 * t;
             body.spin_radps += body.angular_acceleration_radps2 * t;
-            if (kick == Kick::Halves) continue;
-            body.velocity_increment_mps = body.acceleration_mps2 * t;
-            body.spin_increment_radps = body.angular_acceleration_radps2 * t;
+            const Real steady = kick == Kick::Halves ? Real{0} : t;
+            body.velocity_increment_mps = body.acceleration_mps2 * steady;
+            body.spin_increment_radps = body.angular_acceleration_radps2 * steady;
         }
     }
 
@@ -167,6 +167,7 @@ private:
         accelerate(kick == Kick::Halves ? h / 2 : h);
         system.push_springs(h / 2);
         if (system.solves_before_motion()) system.solve_velocities();
+        system.begin_motion(false);
         move(h);
         system.correct_positions();
         system.push_springs(h / 2);
