@@ -331,10 +331,9 @@ void DirectJoints::push_springs_only(JointGroup& group,
                                      bool steadily) {
     for (JointSpring& spring : springs) {
         const double impulse_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0;
-        if (steadily && !spring.unresolved) {
+        if (steadily) {
             SpringLine(spring).push_steadily(spring, impulse_Ns);
         } else {
-            if (steadily) spring.kept_Ns += impulse_Ns;
             group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
         }
         group.impulses[spring.node].x += impulse_Ns;

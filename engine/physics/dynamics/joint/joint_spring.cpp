@@ -107,6 +107,7 @@ void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
 
 void SpringLine::push_steadily(JointSpring& spring, double impulse_Ns) const {
     spring.kept_Ns += impulse_Ns;
+    if (spring.unresolved) return push(spring, impulse_Ns);
     const double least_Ns = std::min(std::abs(spring.kept_Ns), std::abs(spring.before_Ns));
     const double steady_Ns = least_Ns - std::abs(spring.kept_Ns - spring.before_Ns);
     const double lasting_Ns = std::copysign(std::max(steady_Ns, 0.0), spring.kept_Ns);
@@ -264,12 +265,7 @@ void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& gro
     const double more =
         -(line.mean_speed(spring) + row.bias_mps + row.compliance * spring.kept_Ns) /
         (line.inverse_mass + row.compliance);
-    if (spring.unresolved) {
-        spring.kept_Ns += more;
-        line.push(spring, more);
-    } else {
-        line.push_steadily(spring, more);
-    }
+    line.push_steadily(spring, more);
     add_to_totals(spring, line, more, group);
 }
 

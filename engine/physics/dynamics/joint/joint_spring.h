@@ -47,7 +47,7 @@ struct SpringLine {
     double mean_speed(const JointSpring& spring) const;
     void push(const JointSpring& spring, double impulse_Ns) const;
     /// More of the half before the motion, and of the other half what hardly changed since the sub-step before, as a steady
-    /// change: what a swinging spring pushes ahead of an impact would give energy.
+    /// change: what a swinging spring pushes ahead of an impact would give energy. Of one that is unresolved nothing is ahead.
     void push_steadily(JointSpring& spring, double impulse_Ns) const;
     /// Takes what was pushed ahead back: it is pushed when the bodies have moved.
     void take_back_ahead(JointSpring& spring) const;
