@@ -9,6 +9,12 @@ namespace {
 /// What a step of contacts may err by, and one of joints, whose energy swings and comes back.
 constexpr double kContactShare = 1e-3;
 constexpr double kJointShare = 0.05;
+/// What a step of joints alone may err by where nothing takes energy.
+constexpr double kConservedShare = 1e-4;
+/// Joints whose rows change faster, m/s or rad/s, were hit: what that costs is not given back.
+constexpr double kFits_mps = 1e-3;
+/// No step gives back more than so many times what it left.
+constexpr double kMostGivenBack = 4;
 /// Speeds that resting contacts show anyway, m/s, beside one sub-step's fall.
 constexpr double kRestless_mps = 2e-3;
 /// Of its speed, that sums of float32 may change a common centre's by.
@@ -101,11 +107,49 @@ double work_J(std::span<const SolverBody> bodies, double step_s) {
     return sum;
 }
 
+void scale_energy(std::span<SolverBody> bodies, const Vec3d& center_mps, double share) {
+    const Vec3 center(center_mps);
+    const auto kept = static_cast<Real>(std::sqrt(share));
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        body.velocity_mps = center + (body.velocity_mps - center) * kept;
+        body.spin_radps *= kept;
+    }
+}
+
+/// None has come farther than at the speeds that it may have had.
+void bound_ways(std::span<SolverBody> bodies,
+                const Vec3d& center_mps,
+                double allowed_J,
+                double step_s) {
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        const double most_mps = static_cast<double>(body.start_speed_mps) +
+                                std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
+        const auto most_m = static_cast<Real>(most_mps * step_s);
+        const Real length_m = glm::length(body.delta_position_m);
+        if (length_m > most_m) body.delta_position_m *= most_m / length_m;
+    }
+}
+
+/// Joints without limits and springs between bodies without damping.
+bool keep_energy(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
+    const auto is_ideal = [](const SolverJoint& joint) {
+        return joint.kind != JointKind::Spring && !joint.limits && !joint.twist_limits;
+    };
+    const auto is_undamped = [](const SolverBody& body) {
+        return body.linear_damping_factor == 1 && body.angular_damping_factor == 1 &&
+               body.angular_acceleration_radps2 == Vec3{0, 0, 0};
+    };
+    return std::ranges::all_of(joints, is_ideal) && std::ranges::all_of(bodies, is_undamped);
+}
+
 }  // namespace
 
 void EnergyGuard::begin(std::span<const SolverBody> bodies,
                         std::span<const ContactConstraint> contacts,
                         std::span<const SolverJoint> joints,
+                        double joint_speed,
                         Real h) {
     watches_ = false;
     grounded_ = false;
@@ -121,6 +165,8 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
     }
     watches_ = true;
     joined_ = !joints.empty();
+    conserves_ =
+        grounded_ && contacts.empty() && joint_speed < kFits_mps && keep_energy(bodies, joints);
     share_ = joints.empty() ? kContactShare : kJointShare;
     center_mps_ = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
     start_J_ = kinetic_J(bodies, center_mps_);
@@ -152,22 +198,17 @@ double EnergyGuard::end(std::span<SolverBody> bodies,
     const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_ +
                              std::max(from_springs_J, 0.0) + share_ * elastic_J_;
     // Not finite: the check of single bodies isolates them.
-    if (!(now_J > allowed_J) || !std::isfinite(now_J)) return 0;
-    const auto kept = static_cast<Real>(std::sqrt(allowed_J / now_J));
-    for (SolverBody& body : bodies) {
-        if (!body.movable()) continue;
-        const Vec3 center(center_mps);
-        body.velocity_mps = center + (body.velocity_mps - center) * kept;
-        body.spin_radps *= kept;
-        if (joined_) continue;  // joints bring back what was torn away, however far
-        // Nor has it come farther than at the speeds that it may have had.
-        const double most_mps = static_cast<double>(body.start_speed_mps) +
-                                std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
-        const auto most_m = static_cast<Real>(most_mps * step_s);
-        const Real length_m = glm::length(body.delta_position_m);
-        if (length_m > most_m) body.delta_position_m *= most_m / length_m;
+    if (!(now_J > 0) || !std::isfinite(now_J)) return 0;
+    const bool too_much = now_J > allowed_J;
+    const double exact_J = std::max(start_J_ + work, 0.0);
+    if (conserves_ && std::abs(now_J - exact_J) > kConservedShare * start_J_ + slack_J_) {
+        scale_energy(bodies, center_mps, std::min(exact_J / now_J, kMostGivenBack));
+    } else if (too_much) {
+        scale_energy(bodies, center_mps, allowed_J / now_J);
     }
-    return now_J - allowed_J;
+    // Joints bring back what was torn away, however far.
+    if (too_much && !joined_) bound_ways(bodies, center_mps, allowed_J, step_s);
+    return too_much ? now_J - allowed_J : 0;
 }
 
 }  // namespace plumbline::physics

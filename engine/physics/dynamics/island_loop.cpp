@@ -118,7 +118,8 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     impacts_.begin_step(
         contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = !stiff_springs});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
-    guard_.begin(bodies, contacts.constraints, joints, h_);
+    guard_.begin(
+        bodies, contacts.constraints, joints, joints.empty() ? 0 : joint_system_.most_speed(), h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
     for (SolverBody& body : bodies)
         report_.clamped_bodies += clamp_depenetration_velocity(body, settings.push_mps) ? 1U : 0U;
@@ -147,7 +148,7 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
                          .inelastic_too = true,
                          .touching_m = touching_m});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
-    guard_.begin(bodies, contacts.constraints, joints, h_);
+    guard_.begin(bodies, contacts.constraints, joints, 0, h_);
     report_.impacts = impacts_.run();
     report_.braked_J = guard_.end(bodies, joints, 0);
     report_.row_solves = contacts.row_solves;

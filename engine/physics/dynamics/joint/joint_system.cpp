@@ -6,6 +6,7 @@
 #include "engine/physics/dynamics/joint/joint_iterative.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::physics {
 namespace {
@@ -289,6 +290,16 @@ void JointSystem::finish() {
 
 bool JointSystem::solves_before_motion() const {
     return !impl_->is_direct() || !impl_->group.bounds.empty();
+}
+
+double JointSystem::most_speed() const {
+    if (!impl_->is_direct()) return std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (const JointRows& rows : impl_->group.rows) {
+        const Vec3d speeds = glm::abs(masked(rows.speeds(impl_->group.bodies), rows.active));
+        most = std::max({most, speeds.x, speeds.y, speeds.z});
+    }
+    return most;
 }
 
 bool JointSystem::has_stiff_springs() const {

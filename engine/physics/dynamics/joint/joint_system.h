@@ -106,6 +106,9 @@ public:
     /// If not, correct_positions() finds the same impulses, and the solve may be left out.
     bool solves_before_motion() const;
 
+    /// How fast what joints hold changes, the largest of their rows, m/s or rad/s; infinite with the iterative method, which never
+    /// holds all. From start() on.
+    double most_speed() const;
     /// Springs that sub-steps do not follow explicitly. From start() on.
     bool has_stiff_springs() const;
     const JointWork& work() const;
