@@ -17,7 +17,7 @@ struct MeshPatchPoint {
 
 /// What a shape has with one face of a mesh, of however many triangles, or with one edge or corner.
 struct MeshPatch {
-    static constexpr std::size_t kMostPoints = 4;
+    static constexpr std::size_t kMostPoints = 8;
 
     Vec3 normal{0, 1, 0};  ///< unit, from the mesh to the shape
     std::array<MeshPatchPoint, kMostPoints> points{};

@@ -18,10 +18,6 @@ using Points = std::vector<MeshPoint>;
 constexpr std::size_t kMostGroups = 48;
 constexpr double kFar_m = std::numeric_limits<double>::max();
 
-double turn_of(const Flat& a, const Flat& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 double deepest_of(std::span<const MeshPoint> points) {
     double deepest_m = kFar_m;
     for (const MeshPoint& point : points) deepest_m = std::min(deepest_m, point.distance_m);
@@ -142,40 +138,12 @@ private:
         chosen.push_back(point);
     }
 
-    /// As ContactRegion::reduce().
     Points reduced(const Points& all) const {
-        if (all.size() <= PointGroup::kMost) return all;
-        constexpr double kBetterPoint = 1 + 1e-6;
-        const double deepest_m = deepest_of(all);
-        const auto best = [&all](const auto& score) -> const MeshPoint& {
-            const MeshPoint* found = &all.front();
-            double most = score(*found);
-            for (const MeshPoint& point : all) {
-                const double here = score(point);
-                if (!(here > 0 && here > most * kBetterPoint)) continue;
-                found = &point;
-                most = here;
-            }
-            return *found;
-        };
-        Flat middle{0, 0};
-        for (const MeshPoint& point : all) middle += flat(point);
-        middle /= static_cast<double>(all.size());
-        const auto away2 = [this](const MeshPoint& point, const Flat& from) {
-            const Flat away = flat(point) - from;
-            return glm::dot(away, away);
-        };
-        const MeshPoint& first = best([&](const MeshPoint& point) {
-            return point.distance_m <= deepest_m + level_m_ ? away2(point, middle) : -1.0;
-        });
-        const Flat from = flat(first);
-        const MeshPoint& second = best([&](const MeshPoint& point) { return away2(point, from); });
-        const Flat line = flat(second) - from;
-        const auto side = [&](const MeshPoint& point) { return turn_of(line, flat(point) - from); };
-        const MeshPoint& third = best(side);
-        const MeshPoint& fourth = best([&](const MeshPoint& point) { return -side(point); });
+        std::vector<FlatPoint> places;
+        for (const MeshPoint& point : all) places.push_back({flat(point), point.distance_m});
         Points chosen;
-        for (const MeshPoint* point : {&first, &second, &third, &fourth}) add(chosen, *point);
+        const PointChoice choice = choose_points(places, level_m_);
+        for (const std::size_t index : choice.points()) chosen.push_back(all[index]);
         return chosen;
     }
 

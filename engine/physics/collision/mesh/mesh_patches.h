@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/collision/mesh/placed_mesh.h"
+#include "engine/physics/collision/narrow_phase/point_choice.h"
 
 #include <array>
 #include <span>
@@ -11,7 +12,7 @@ namespace plumbline::physics {
 
 /// Points with nearly one normal.
 struct PointGroup {
-    static constexpr std::size_t kMost = 4;
+    static constexpr std::size_t kMost = PointChoice::kMost;
 
     Vec3d normal{0, 1, 0};
     std::array<MeshPoint, kMost> points{};

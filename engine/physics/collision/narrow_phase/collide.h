@@ -20,7 +20,7 @@ struct ConvexPoint {
 
 /// What two convex shapes have between them.
 struct ConvexContact {
-    std::array<ConvexPoint, 4> list{};
+    std::array<ConvexPoint, 8> list{};
     std::size_t count{0};
     Real same_m{0};  ///< a point that moved less on either body since the step before is the same
 

@@ -17,10 +17,6 @@ using FeatureKind = Feature::Kind;
 constexpr double kParallelLines = 0.05;
 /// A face steeper than this against the normal says nothing of what lies over it.
 constexpr double kSteep = 1e-3;
-/// A point is chosen before an earlier one where it is better by this share: more than what a body at rest
-/// moves, so that it keeps its points.
-constexpr double kBetter = 1e-3;
-
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -288,52 +284,14 @@ double ContactRegion::width_m() const {
     return count_ < 3 ? 0 : least_m;
 }
 
-/// Which points stay, and how many.
-std::size_t ContactRegion::chosen(double level_m, std::array<std::size_t, kMost>& kept) const {
-    double deepest = std::numeric_limits<double>::max();
-    Flat middle{0, 0};
-    for (std::size_t i = 0; i < count_; ++i) {
-        deepest = std::min(deepest, points_[i].distance_m);
-        middle += places_[i];
-    }
-    middle /= static_cast<double>(count_);
-    std::size_t count = 0;
-    const auto keep_best = [&](const auto& score) {
-        std::size_t best = 0;
-        double most = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double here = score(i);
-            if (!(here > most * (1 + kBetter))) continue;
-            best = i;
-            most = here;
-        }
-        if (most > 0) kept[count++] = best;
-    };
-    keep_best([&](std::size_t i) {
-        if (points_[i].distance_m > deepest + level_m) return 0.0;
-        const Flat away = places_[i] - middle;
-        return std::max(glm::dot(away, away), std::numeric_limits<double>::min());
-    });
-    const Flat from = places_[kept[0]];
-    keep_best([&](std::size_t i) {
-        const Flat away = places_[i] - from;
-        return glm::dot(away, away);
-    });
-    if (count == 1) return count;
-    const Flat line = places_[kept[1]] - from;
-    keep_best([&](std::size_t i) { return cross(line, places_[i] - from); });
-    keep_best([&](std::size_t i) { return -cross(line, places_[i] - from); });
-    return count;
-}
-
 void ContactRegion::reduce(double level_m) {
-    if (count_ <= kMost) return;
-    std::array<std::size_t, kMost> kept;
-    const std::size_t count = chosen(level_m, kept);
+    std::array<FlatPoint, kRoom> flat;
+    for (std::size_t i = 0; i < count_; ++i) flat[i] = {places_[i], points_[i].distance_m};
+    const PointChoice choice = choose_points({flat.data(), count_}, level_m);
     std::array<RegionPoint, kMost> points;
-    for (std::size_t i = 0; i < count; ++i) points[i] = points_[kept[i]];
+    for (std::size_t i = 0; i < choice.count; ++i) points[i] = points_[choice.kept[i]];
     count_ = 0;
-    for (std::size_t i = 0; i < count; ++i) add(points[i].on_a, points[i].on_b);
+    for (std::size_t i = 0; i < choice.count; ++i) add(points[i].on_a, points[i].on_b);
 }
 
 }  // namespace plumbline::physics

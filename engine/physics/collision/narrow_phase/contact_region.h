@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/collision/narrow_phase/placed_convex.h"
+#include "engine/physics/collision/narrow_phase/point_choice.h"
 
 #include <array>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct RegionPoint {
 /// The corners of the common region of two features, seen along a normal.
 class ContactRegion {
 public:
-    static constexpr std::size_t kMost = 4;
+    static constexpr std::size_t kMost = PointChoice::kMost;
 
     /// `normal`: unit, from b to a. Points farther apart than `reach_m` are left out; those nearer to each
     /// other than `same_m` are one, and so near beside a face a point still counts as over it.
@@ -28,8 +29,7 @@ public:
         const Feature& a, const Feature& b, const Vec3d& normal, double reach_m, double same_m);
 
     std::span<const RegionPoint> points() const { return {points_.data(), count_}; }
-    /// Leaves at most kMost: the deepest, and those that span most. Of points that are as deep within
-    /// `level_m` the first counts, so that a body at rest keeps its points.
+    /// Leaves at most kMost, by choose_points().
     void reduce(double level_m);
     /// The least extent of the region across the normal; 0 where it is no more than a line.
     double width_m() const;
@@ -67,7 +67,6 @@ private:
     void add_in_order(const Vec3d& first, const Vec3d& second, bool first_is_b);
     Flat flat(const Vec3d& point) const { return {glm::dot(point, x_), glm::dot(point, y_)}; }
     bool lift(const Feature& feature, const Vec3d& point, Vec3d& lifted) const;
-    std::size_t chosen(double level_m, std::array<std::size_t, kMost>& kept) const;
 
     static constexpr std::size_t kRoom = 96;
     Vec3d normal_;

@@ -25,7 +25,7 @@ std::optional<Separation> separation_of(const PlacedConvex& a,
 /// How far apart the shapes are along a unit normal from b to a: exact, whatever the normal.
 double distance_along(const PlacedConvex& a, const PlacedConvex& b, const Vec3d& normal);
 
-/// Up to four points with one normal, on the surfaces.
+/// Points with one normal, on the surfaces.
 struct SurfaceContact {
     std::array<RegionPoint, ContactRegion::kMost> points;
     std::size_t count{0};

@@ -100,12 +100,12 @@ TEST(ContactRegion, ACylinderOverAnEdgeHasThePointsWhereItsRimCrosses) {
     const Solid table = box({1, 0.5, 1});
     const PlacedConvex below = placed(table, kUpright, {0, -0.5, 0});
     const SurfaceContact contact = contact_of(placed(drum, kUpright, {0.9, 0.5, 0}), below);
-    ASSERT_EQ(contact.count, 4U);
+    ASSERT_EQ(contact.count, 5U);
     const double across_m = std::sqrt(0.25 * 0.25 - 0.01);
     EXPECT_TRUE(has_point(contact, {1, 0, across_m}));
     EXPECT_TRUE(has_point(contact, {1, 0, -across_m}));
     EXPECT_TRUE(has_point(contact, {0.65, 0, 0}));
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(contact.points[i].on_b.x, 1 + 1e-4);
+    for (std::size_t i = 0; i < contact.count; ++i) EXPECT_LE(contact.points[i].on_b.x, 1 + 1e-4);
 }
 
 TEST(ContactRegion, ADiscOnADiscHasTheTipsOfTheLens) {
@@ -260,7 +260,7 @@ TEST(ContactRegion, ItsAreaIsThatOfTheClippedPolygons) {
         const double area = area_of_hull(region.points());
         ASSERT_NEAR(area, area_of(common), 3e-4) << one.shape.hull->corners_m.size();
         region.reduce(1e-4);
-        ASSERT_LE(region.points().size(), 4U);
+        ASSERT_LE(region.points().size(), 8U);
         if (area > 1e-3) least_share = std::min(least_share, area_of_hull(region.points()) / area);
     }
     EXPECT_GT(least_share, 0.55);
@@ -286,7 +286,7 @@ TEST(ContactRegion, ReducingKeepsTheDeepest) {
     }
 }
 
-/// The four points of a body that rests, each time with noise in its pose.
+/// The points of a body that rests, each time with noise in its pose.
 TEST(ContactRegion, ABodyAtRestKeepsItsPoints) {
     const Solid table = box({2, 0.5, 2});
     const PlacedConvex floor = placed(table, kUpright, {0, -0.5, 0});
@@ -297,8 +297,8 @@ TEST(ContactRegion, ABodyAtRestKeepsItsPoints) {
         for (const PlacedConvex& below : {floor, lower}) {
             const PlacedConvex rest = placed(solid, about_y(0.3), {0, 0.4 - 1e-4, 0});
             const SurfaceContact wanted = physics::contact_of(rest, below, kReach_m)->contact;
-            ASSERT_EQ(wanted.count, 4U);
-            EXPECT_GT(area_of({wanted.points.data(), 4}), 0.4) << solid.name;
+            ASSERT_GE(wanted.count, 4U);
+            EXPECT_GT(area_of({wanted.points.data(), wanted.count}), 0.4) << solid.name;
             Random random(7);
             int kept = 0;
             for (int i = 0; i < 200; ++i) {
@@ -310,7 +310,8 @@ TEST(ContactRegion, ABodyAtRestKeepsItsPoints) {
                 int same = 0;
                 for (std::size_t k = 0; k < found->contact.count; ++k)
                     same += has_point(wanted, found->contact.points[k].on_b, 1e-4) ? 1 : 0;
-                kept += same == 4 && found->contact.count == 4 ? 1 : 0;
+                const bool all = found->contact.count == wanted.count;
+                kept += all && same == static_cast<int>(wanted.count) ? 1 : 0;
             }
             EXPECT_EQ(kept, 200) << solid.name
                                  << (below.shape == floor.shape ? " on a table" : " stacked");
