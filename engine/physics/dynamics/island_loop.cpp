@@ -115,8 +115,11 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
                          .restless_jointed_mps = bounce_mps * kRestlessOfJointed});
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
-    impacts_.begin_step(
-        contacts, bodies, {.threshold_mps = bounce_mps, .may_shift = !stiff_springs});
+    impacts_.begin_step(contacts,
+                        bodies,
+                        {.threshold_mps = bounce_mps,
+                         .may_shift = !stiff_springs,
+                         .joints = joints.empty() ? nullptr : &joint_system_});
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(
         bodies, contacts.constraints, joints, joints.empty() ? 0 : joint_system_.most_speed(), h_);
@@ -159,7 +162,7 @@ void IslandLoop::substep() {
     if (impacts_.needed()) {
         const auto impacts = impacts_.run();
         report_.impacts += impacts;
-        if (impacts > 0 && !joints.empty()) joint_system_.forget_pushes();
+        if (impacts > 0 && !joints.empty()) joint_system_.end_impacts();
     }
     apply_steady_forces(bodies, contacts, h_);
     if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);

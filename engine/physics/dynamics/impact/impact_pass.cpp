@@ -7,10 +7,15 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr int kRounds = 8;         // over the pairs, for impacts that impacts cause
-constexpr int kInnerSweeps = 100;  // over the points of one pair, unless they agree sooner
-/// Of a pair's impulses: points agree where a sweep changes less.
+constexpr int kRounds = 8;  // over the pairs, for impacts that impacts cause
+/// Over the points of one pair, unless they agree sooner: of a pair's impulses, where a sweep changes less.
+constexpr int kInnerSweeps = 100;
 constexpr Real kSettledShare = 4 * std::numeric_limits<Real>::epsilon();
+/// The same where joints are solved after each push, which is dearer.
+constexpr int kJointedSweeps = 30;
+constexpr Real kJointedShare = 1e-4_r;
+/// Of what a body answers alone: joints that leave less let it move no way along the direction.
+constexpr double kHeldFast = 1e-5;
 /// Points nearer than this are taken as touching, m: rounding of a separation.
 constexpr Real kTouching_m = 1e-6_r;
 
@@ -76,16 +81,13 @@ void predict_impact(const ContactConstraint& constraint,
     impact.shift_m = opening_mps2 * tau_s * tau_s / 2 - out_mps * tau_s - separation_m;
 }
 
+/// `inverse_mass`: along a direction.
+template <typename InverseMass>
 void weigh_impact(ImpactPoint& impact,
                   const ContactConstraint& constraint,
-                  const SolverBody& a,
-                  const SolverBody& b) {
-    const auto mass = [&](const Vec3& direction) {
-        return 1 /
-               (mass_along(a, impact.arm_a, direction) + mass_along(b, impact.arm_b, direction));
-    };
-    impact.normal_mass = mass(constraint.normal);
-    for (int t = 0; t < 2; ++t) impact.tangent_mass[t] = mass(constraint.tangent[t]);
+                  const InverseMass& inverse_mass) {
+    impact.normal_mass = 1 / inverse_mass(constraint.normal);
+    for (int t = 0; t < 2; ++t) impact.tangent_mass[t] = 1 / inverse_mass(constraint.tangent[t]);
 }
 
 /// Returns by how much it changed the impulse, Ns; so does solve_normal().
@@ -138,33 +140,40 @@ void keep_impact(const ImpactPoint& impact,
     constraint.bounced = constraint.bounced || constraint.whole_spheres();
 }
 
-/// All points of a pair at once.
-void solve_impacts(std::span<ImpactPoint> impacts,
+struct SweepLimits {
+    int most{1};
+    Real settled_share{0};  ///< of the impulses: less is no change
+};
+
+/// All points at once. `held`: what follows every push.
+template <typename Held>
+void sweep_impacts(std::span<ImpactPoint> impacts,
                    std::span<ContactConstraint> constraints,
-                   std::span<SolverBody> bodies) {
-    const auto each = [&](const auto& act) {
-        for (ImpactPoint& impact : impacts) {
-            ContactConstraint& constraint = constraints[impact.constraint];
-            act(impact, constraint, bodies[constraint.a], bodies[constraint.b]);
-        }
-    };
-    each(weigh_impact);
-    const int sweeps = impacts.size() > 1 ? kInnerSweeps : 1;
+                   std::span<SolverBody> bodies,
+                   const SweepLimits& limits,
+                   const Held& held) {
     bool agree = false;
-    for (int sweep = 0; sweep < sweeps && !agree; ++sweep) {
+    for (int sweep = 0; sweep < limits.most && !agree; ++sweep) {
         Real changed_Ns = 0;
         Real total_Ns = 0;
-        each([&](ImpactPoint& impact,
-                 const ContactConstraint& constraint,
-                 SolverBody& a,
-                 SolverBody& b) {
+        for (ImpactPoint& impact : impacts) {
+            const ContactConstraint& constraint = constraints[impact.constraint];
+            SolverBody& a = bodies[constraint.a];
+            SolverBody& b = bodies[constraint.b];
             changed_Ns += solve_normal(impact, constraint, a, b);
-            if (constraint.friction > 0) changed_Ns += solve_friction(impact, constraint, a, b);
+            held();
+            if (constraint.friction > 0) {
+                changed_Ns += solve_friction(impact, constraint, a, b);
+                held();
+            }
             total_Ns += impact.normal_Ns;
-        });
-        agree = changed_Ns <= kSettledShare * total_Ns;
+        }
+        agree = changed_Ns <= limits.settled_share * total_Ns;
     }
-    each(keep_impact);
+    for (const ImpactPoint& impact : impacts) {
+        ContactConstraint& constraint = constraints[impact.constraint];
+        keep_impact(impact, constraint, bodies[constraint.a], bodies[constraint.b]);
+    }
 }
 
 }  // namespace
@@ -186,11 +195,52 @@ void ImpactPass::begin_step(ContactSet& contacts,
             pairs_.push_back({i, end - i});
         i = end;
     }
+    group_by_pieces();
 }
 
-/// Fills impacts_ with the pair's points that close in this sub-step; whether one of them is fast.
-bool ImpactPass::gather(const Pair& pair) {
+/// Bodies that joints hold together meet others as one: their pairs come to be one group.
+void ImpactPass::group_by_pieces() {
+    groups_.clear();
+    const auto pieces_of = [this](const Pair& pair) {
+        if (settings_.joints == nullptr)
+            return std::array{JointGroup::kNoPiece, JointGroup::kNoPiece};
+        const ContactConstraint& constraint = contacts_->constraints[pair.first_constraint];
+        return std::array{settings_.joints->piece_of(constraint.a),
+                          settings_.joints->piece_of(constraint.b)};
+    };
+    // What meets: a piece or, of no piece, a body.
+    const auto sides_of = [&](const Pair& pair) {
+        const ContactConstraint& constraint = contacts_->constraints[pair.first_constraint];
+        const auto [of_a, of_b] = pieces_of(pair);
+        const std::pair a{of_a, of_a == JointGroup::kNoPiece ? constraint.a : 0};
+        const std::pair b{of_b, of_b == JointGroup::kNoPiece ? constraint.b : 0};
+        return std::minmax(a, b, [](const auto& x, const auto& y) { return x < y; });
+    };
+    const auto key_of = [&](const Pair& pair) {
+        const auto sides = sides_of(pair);
+        return std::pair(std::pair(sides.first), std::pair(sides.second));
+    };
+    if (settings_.joints != nullptr) std::ranges::stable_sort(pairs_, {}, key_of);
+    for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+        const bool joins =
+            settings_.joints != nullptr && i > 0 && key_of(pairs_[i]) == key_of(pairs_[i - 1]);
+        if (!joins) groups_.push_back({.first_pair = i, .pieces = pieces_of(pairs_[i])});
+        ++groups_.back().pair_count;
+    }
+}
+
+/// Fills impacts_ with the group's points that close in this sub-step; whether one of them is fast.
+bool ImpactPass::gather(const Group& group) {
     impacts_.clear();
+    // Joints would have to follow a shift.
+    const bool may_shift = settings_.may_shift && !group.is_jointed();
+    bool fast = false;
+    for (std::uint32_t i = 0; i < group.pair_count; ++i)
+        fast = gather(pairs_[group.first_pair + i], may_shift) || fast;
+    return fast;
+}
+
+bool ImpactPass::gather(const Pair& pair, bool may_shift) {
     bool fast = false;
     const Real h = contacts_->substep_s();
     for (std::uint32_t at = pair.first_constraint; at < pair.first_constraint + pair.block_count;
@@ -227,8 +277,7 @@ bool ImpactPass::gather(const Pair& pair) {
             if (separation + h * reached_mps > touching_m) continue;
             if (speed < -settings_.threshold_mps) {
                 fast = true;
-                predict_impact(
-                    constraint, {separation, speed, opening_mps2}, h, settings_.may_shift, impact);
+                predict_impact(constraint, {separation, speed, opening_mps2}, h, may_shift, impact);
             }
             impacts_.push_back(impact);
         }
@@ -236,15 +285,41 @@ bool ImpactPass::gather(const Pair& pair) {
     return fast;
 }
 
+void ImpactPass::solve(const Group& group) {
+    for (ImpactPoint& impact : impacts_) {
+        const ContactConstraint& constraint = contacts_->constraints[impact.constraint];
+        weigh_impact(impact, constraint, [&](const Vec3& direction) {
+            const Real alone = mass_along(bodies_[constraint.a], impact.arm_a, direction) +
+                               mass_along(bodies_[constraint.b], impact.arm_b, direction);
+            if (!group.is_jointed()) return alone;
+            const double held = settings_.joints->inverse_mass_along(
+                {constraint.a, constraint.b, impact.arm_a, impact.arm_b, direction});
+            // What joints hold fast is pushed as if alone: they take it back.
+            return held > kHeldFast * static_cast<double>(alone) ? static_cast<Real>(held) : alone;
+        });
+    }
+    if (!group.is_jointed()) {
+        const int sweeps = impacts_.size() > 1 ? kInnerSweeps : 1;
+        return sweep_impacts(
+            impacts_, contacts_->constraints, bodies_, {sweeps, kSettledShare}, [] {});
+    }
+    const auto hold = [&] {
+        const auto [of_a, of_b] = group.pieces;
+        if (of_a != JointGroup::kNoPiece) settings_.joints->solve_piece(of_a);
+        if (of_b != JointGroup::kNoPiece && of_b != of_a) settings_.joints->solve_piece(of_b);
+    };
+    sweep_impacts(impacts_, contacts_->constraints, bodies_, {kJointedSweeps, kJointedShare}, hold);
+}
+
 std::uint32_t ImpactPass::run() {
     std::uint32_t impacts = 0;
     for (int round = 0; round < kRounds; ++round) {
         bool any = false;
-        for (const Pair& pair : pairs_) {
-            if (!gather(pair)) continue;
+        for (const Group& group : groups_) {
+            if (!gather(group)) continue;
             any = true;
             impacts += static_cast<std::uint32_t>(impacts_.size());
-            solve_impacts(impacts_, contacts_->constraints, bodies_);
+            solve(group);
         }
         if (!any) break;
     }

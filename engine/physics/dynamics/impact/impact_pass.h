@@ -8,14 +8,17 @@
 #pragma once
 
 #include "engine/physics/dynamics/contact/contact_set.h"
+#include "engine/physics/dynamics/joint/joint_group.h"
+#include "engine/physics/dynamics/joint/joint_system.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace plumbline::physics {
 
-/// A point of the pair that is being solved.
+/// A point of the pairs that are being solved.
 struct ImpactPoint {
     std::uint32_t constraint{0};
     int lane{0};
@@ -33,7 +36,8 @@ struct ImpactSettings {
     Real threshold_mps{0};  ///< slower impacts do not bounce
     bool may_shift{
         true};  ///< no stiff spring, which a shift of a sphere would stretch, holds a body
-    bool inelastic_too{false};  ///< pairs without restitution are not left to the contacts
+    bool inelastic_too{false};     ///< pairs without restitution are not left to the contacts
+    JointSystem* joints{nullptr};  ///< null: none hold the bodies
     std::span<const Real>
         touching_m{};  ///< of each constraint: nearer points take part; empty: those that close within the sub-step
 };
@@ -54,13 +58,28 @@ private:
         std::uint32_t block_count{0};
     };
 
-    bool gather(const Pair& pair);
+    /// Pairs that are solved at once: of two bodies, or of all bodies that joints hold together in two pieces.
+    struct Group {
+        std::uint32_t first_pair{0};
+        std::uint32_t pair_count{0};
+        std::array<std::uint32_t, 2> pieces{};  ///< of joints; equal where they are one
+
+        bool is_jointed() const {
+            return pieces[0] != JointGroup::kNoPiece || pieces[1] != JointGroup::kNoPiece;
+        }
+    };
+
+    void group_by_pieces();
+    bool gather(const Group& group);
+    bool gather(const Pair& pair, bool may_shift);
+    void solve(const Group& group);
 
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;
     ImpactSettings settings_{};
     std::vector<Pair> pairs_;
-    std::vector<ImpactPoint> impacts_;  ///< of the pair at hand
+    std::vector<Group> groups_;
+    std::vector<ImpactPoint> impacts_;  ///< of the group at hand
 };
 
 }  // namespace plumbline::physics

@@ -119,10 +119,9 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
 
 void DirectJoints::hold_steady_changes(JointGroup& group) {
     group.with_motion(steady_change_of, [&] {
-        for (std::size_t i = 0; i < group.rows.size(); ++i)
-            x_[i] = masked(-group.rows[i].speeds(group.bodies), group.rows[i].active);
-        solve_all(group, matrix_);
-        for (std::size_t i = 0; i < group.rows.size(); ++i) group.rows[i].push(group.bodies, x_[i]);
+        for (const JointComponent& component : group.topology->components)
+            group.hold_rows(matrix_, component, x_);
+        group.row_solves += 3 * group.rows.size();
         for (const JointBody& body : group.bodies) {
             body.body->velocity_increment_mps = Vec3(body.velocity_mps);
             body.body->spin_increment_radps = Vec3(body.spin_radps);

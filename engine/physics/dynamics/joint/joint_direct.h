@@ -15,6 +15,10 @@ public:
     void factor(const JointGroup& group) { factor(group, matrix_); }
     /// Velocities that all rows allow. Rows with bounds find their step by trying.
     void solve_velocities(JointGroup& group);
+    /// The same of one component.
+    void solve_component(JointGroup& group, const JointComponent& component);
+    /// Of the rows held now.
+    const BlockLdlt& matrix() const { return matrix_; }
     /// As JointSystem::begin_motion().
     void hold_steady_changes(JointGroup& group);
     /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
@@ -31,7 +35,6 @@ public:
 private:
     void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
     void factor(const JointGroup& group, BlockLdlt& matrix);
-    void solve_component(JointGroup& group, const JointComponent& component);
     void push_solution(JointGroup& group, const JointComponent& component);
     void hold_positions(JointGroup& group);
     void hold_springs(JointGroup& group, std::span<const JointSpring> springs);

@@ -34,6 +34,16 @@ Vec3d residual_of(const JointRows& row, std::span<const JointBody> bodies) {
     return glm::dot(error, error) < kSmallError * kSmallError ? Vec3d{0, 0, 0} : error;
 }
 
+void push(JointBody& body, const Vec3d& impulse_Ns, const Vec3d& arm) {
+    body.velocity_mps += impulse_Ns * body.inverse_mass;
+    body.spin_radps += body.inverse_inertia * glm::cross(arm, impulse_Ns);
+}
+
+double inverse_mass_alone(const SolverBody& body, const Vec3& arm, const Vec3& direction) {
+    const Vec3 turn = glm::cross(arm, direction);
+    return static_cast<double>(body.inverse_mass + glm::dot(turn, body.inverse_inertia * turn));
+}
+
 }  // namespace
 
 void JointGroup::start(std::span<SolverBody> island_bodies) {
@@ -43,6 +53,8 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
         body.read_pose();
         body.update_inertia();
     }
+    island_ = island_bodies;
+    find_pieces();
     rows.clear();
     bounds.clear();
     for (std::uint32_t i = 0; i < topology->nodes.size(); ++i) {
@@ -54,8 +66,11 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
     impulses.assign(rows.size(), Vec3d{0, 0, 0});
     totals.assign(joints.size(), JointTotal{});
     for (JointRows& row : rows) row.refresh(bodies);
-    for (JointBound& bound : bounds) read_bound(bound, *this);
-    for (const JointBound& bound : bounds) set_active(bound);
+    for (JointBound& bound : bounds) {
+        read_bound(bound, *this);
+        bound.after_motion(substep_s);
+        set_active(bound);
+    }
     residual.clear();
     for (const JointRows& row : rows) residual.push_back(residual_of(row, bodies));
     any_residual = std::ranges::any_of(residual, [](const Vec3d& error) {
@@ -124,6 +139,80 @@ bool JointGroup::ease_pushes(std::span<JointBound> component_bounds,
     for (JointBound& bound : component_bounds)
         eased = bound.ease_push(more_impulses[bound.node][bound.row]) || eased;
     return eased;
+}
+
+void JointGroup::hold_rows(const BlockLdlt& factor,
+                           const JointComponent& component,
+                           std::span<Vec3d> x) {
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i)
+        x[i] = masked(-rows[i].speeds(bodies), rows[i].active);
+    factor.solve(component.first_node, component.last_node, x);
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i)
+        rows[i].push(bodies, x[i]);
+}
+
+void JointGroup::find_pieces() {
+    sides_.assign(island_.size(), Side{});
+    for (std::uint32_t piece = 0; piece < topology->components.size(); ++piece) {
+        const JointComponent& component = topology->components[piece];
+        for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+            for (const std::uint32_t member : {topology->nodes[i].a, topology->nodes[i].b}) {
+                if (bodies[member].movable)
+                    sides_[topology->bodies[member]] = {.piece = piece, .member = member};
+            }
+        }
+    }
+}
+
+bool JointGroup::answers_as_piece(const Side& side) const {
+    if (side.piece == kNoPiece) return false;
+    const JointComponent& component = topology->components[side.piece];
+    return std::ranges::none_of(bounds, [&](const JointBound& bound) {
+        return bound.node >= component.first_node && bound.node < component.last_node &&
+               bound.at_bound();
+    });
+}
+
+void JointGroup::stop_piece(std::uint32_t piece) {
+    const JointComponent& component = topology->components[piece];
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+        for (const std::uint32_t member : {rows[i].a, rows[i].b})
+            bodies[member].velocity_mps = bodies[member].spin_radps = {0, 0, 0};
+    }
+}
+
+double JointGroup::inverse_mass_along(const BlockLdlt& factor, const ImpulseLine& line) {
+    struct End {
+        Side side;
+        std::uint32_t body;
+        Vec3 arm;
+        double sign;
+        bool as_piece;
+    };
+    const std::array ends{
+        End{sides_[line.a], line.a, line.arm_a, 1, answers_as_piece(sides_[line.a])},
+        End{sides_[line.b], line.b, line.arm_b, -1, answers_as_piece(sides_[line.b])}};
+    const Vec3d direction{line.direction};
+    double sum = 0;
+    held_.resize(rows.size());
+    for (const End& end : ends) {
+        if (end.as_piece)
+            stop_piece(end.side.piece);
+        else
+            sum += inverse_mass_alone(island_[end.body], end.arm, line.direction);
+    }
+    for (const End& end : ends) {
+        if (end.as_piece) push(bodies[end.side.member], direction * end.sign, Vec3d(end.arm));
+    }
+    for (const End& end : ends) {
+        if (end.as_piece) hold_rows(factor, topology->components[end.side.piece], held_);
+    }
+    for (const End& end : ends) {
+        if (!end.as_piece) continue;
+        const Vec3d velocity = bodies[end.side.member].velocity_at(Vec3d(end.arm));
+        sum += end.sign * glm::dot(velocity, direction);
+    }
+    return sum;
 }
 
 Vec3d JointGroup::reduced_residual(const Vec3d& residual, double substep_s) {

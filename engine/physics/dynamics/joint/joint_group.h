@@ -1,6 +1,7 @@
 // The joints of one island during one step: what both ways of solving them work on.
 #pragma once
 
+#include "engine/physics/dynamics/joint/block_ldlt.h"
 #include "engine/physics/dynamics/joint/joint_bounds.h"
 #include "engine/physics/dynamics/joint/joint_rows.h"
 
@@ -28,7 +29,18 @@ inline BodyVelocities mean_motion_of(const JointBody& body) {
             body.spin_radps - 0.5 * steady.spin_radps};
 }
 
+/// Where an impulse acts: on a, and the opposite on b. Indices in the island; arms from the centres of mass, world axes.
+struct ImpulseLine {
+    std::uint32_t a{0};
+    std::uint32_t b{0};
+    Vec3 arm_a{0, 0, 0};
+    Vec3 arm_b{0, 0, 0};
+    Vec3 direction{0, 1, 0};  ///< unit
+};
+
 struct JointGroup {
+    static constexpr std::uint32_t kNoPiece = ~std::uint32_t{0};
+
     double substep_s{0};
     std::span<SolverJoint> joints;
     const JointTopology* topology{nullptr};
@@ -83,10 +95,33 @@ struct JointGroup {
             bodies[i].spin_radps = own_[i].spin_radps;
         }
     }
+    /// Velocities that the rows held now allow, as a linear map: no bound takes hold or lets go, nothing is counted.
+    /// `factor`: of these rows; `x`: room for as many.
+    void hold_rows(const BlockLdlt& factor, const JointComponent& component, std::span<Vec3d> x);
+    /// The number of the component that a body of the island, by its index there, is part of: bodies of one piece move
+    /// together. kNoPiece: no joint holds it but springs, or it is immovable.
+    std::uint32_t piece_of(std::uint32_t body) const { return sides_[body].piece; }
+    /// By how much a unit impulse changes the velocity of a against b along the line, 1/kg, with all rows held that are
+    /// held now, whose factor this is. Pieces with a limit that is reached, or a motor, count as the body alone, as these may
+    /// let go: more than it is. Leaves the velocities as they come.
+    double inverse_mass_along(const BlockLdlt& factor, const ImpulseLine& line);
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
     static Vec3d reduced_residual(const Vec3d& residual, double substep_s);
 
 private:
+    struct Side {
+        std::uint32_t piece{kNoPiece};
+        std::uint32_t member{0};  ///< in `bodies`
+    };
+
+    void find_pieces();
+    /// Whether a unit impulse on this side meets its whole piece.
+    bool answers_as_piece(const Side& side) const;
+    void stop_piece(std::uint32_t piece);
+
+    std::span<const SolverBody> island_;
+    std::vector<Side> sides_;          // by body of the island
+    std::vector<Vec3d> held_;          // room for inverse_mass_along()
     std::vector<BodyVelocities> own_;  // room for with_motion()
 };
 

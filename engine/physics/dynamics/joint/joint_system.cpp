@@ -224,7 +224,23 @@ void JointSystem::solve_velocities() {
     impl.group.write_velocities();
 }
 
-void JointSystem::forget_pushes() {
+std::uint32_t JointSystem::piece_of(std::uint32_t body) const {
+    return impl_->is_direct() ? impl_->group.piece_of(body) : JointGroup::kNoPiece;
+}
+
+double JointSystem::inverse_mass_along(const ImpulseLine& line) {
+    return impl_->group.inverse_mass_along(impl_->direct.matrix(), line);
+}
+
+void JointSystem::solve_piece(std::uint32_t piece) {
+    JointGroup& group = impl_->group;
+    group.read_velocities();
+    impl_->direct.solve_component(group, group.topology->components[piece]);
+    group.write_velocities();
+}
+
+void JointSystem::end_impacts() {
+    impl_->group.collect_totals();
     impl_->for_springs([](JointSpring& spring) { spring.before_Ns = 0; });
 }
 

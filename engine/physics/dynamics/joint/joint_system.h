@@ -61,6 +61,8 @@ struct JointWork {
     JointMethod method{JointMethod::Direct};
 };
 
+struct ImpulseLine;
+
 /// One island's joints through the sub-steps of one step. Reused from step to step: what depends
 /// only on which joint holds which bodies is kept while it does not change.
 ///
@@ -89,8 +91,15 @@ public:
     /// Springs and their damping, as velocity changes over `duration_s`, half a sub-step. The first
     /// of the two begins the sub-step.
     void push_springs(double duration_s);
-    /// After an impact springs push as if they had not pushed before.
-    void forget_pushes();
+    /// Before the first push of a sub-step. The number of the piece of bodies that joints hold together; kNoPiece with the
+    /// iterative method.
+    std::uint32_t piece_of(std::uint32_t body) const;
+    /// As JointGroup::inverse_mass_along().
+    double inverse_mass_along(const ImpulseLine& line);
+    /// Velocities that the joints of one piece allow.
+    void solve_piece(std::uint32_t piece);
+    /// After impacts: what they took of the joints is no force that lasts, and springs push as if they had not pushed before.
+    void end_impacts();
     /// Velocities that the joints allow: limits and motors swept, then all rows exactly.
     void solve_velocities();
     /// Takes back what springs pushed ahead. `hold_steady_changes`: takes out of the bodies' steady changes what joints take out

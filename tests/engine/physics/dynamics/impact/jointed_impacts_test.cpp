@@ -1,0 +1,115 @@
+// Restitution of what joints hold together: it bounces as a whole.
+#include "tests/engine/physics/joint_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace plumbline::physics {
+namespace {
+
+WorldDef afloat() {
+    WorldDef def{.substeps = 4, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
+    def.gravity_mps2 = {0, 0, 0};
+    return def;
+}
+
+BodyDef bouncing(Real mass_kg, Real restitution, const Vec3& velocity_mps) {
+    return {.kind = BodyKind::Dynamic,
+            .mass_kg = mass_kg,
+            .velocity_mps = velocity_mps,
+            .friction = 0,
+            .restitution = restitution,
+            .can_sleep = false};
+}
+
+/// Two bodies a metre apart that a joint holds in the middle fly against a wall at x = 0.
+struct Thrown {
+    Thrown(JointKind kind, Real restitution, Real speed_mps, const Vec3& apart, Real back_kg = 1)
+        : test(afloat()) {
+        const Vec3 front_m = Vec3{2, 0, 0} - apart * 0.5_r;
+        const Vec3 back_m = Vec3{2, 0, 0} + apart * 0.5_r;
+        test.add(
+            BoxShape{{1, 10, 10}}, {-0.5_r, 0, 0}, {.friction = 0, .restitution = restitution});
+        front = test.add(SphereShape{0.1_r}, front_m, bouncing(1, restitution, {-speed_mps, 0, 0}));
+        back = test.add(
+            SphereShape{0.1_r}, back_m, bouncing(back_kg, restitution, {-speed_mps, 0, 0}));
+        join(test,
+             {.kind = kind,
+              .a = front,
+              .b = back,
+              .anchor_a_world = {2, 0, 0},
+              .anchor_b_world = {2, 0, 0},
+              .axis_world = {1, 0, 0}});
+    }
+    TestWorld test;
+    BodyId front{};
+    BodyId back{};
+};
+
+TEST(JointedImpacts, WhatIsHeldTogetherBouncesAsAWhole) {
+    for (const JointKind kind : {JointKind::BallAndSocket, JointKind::Fixed, JointKind::Hinge}) {
+        for (const Real restitution : {0.3_r, 1.0_r}) {
+            for (const Real back_kg : {1.0_r, 100.0_r}) {
+                Thrown pair(kind, restitution, 10, {1, 0, 0}, back_kg);
+                pair.test.run(0.5);
+                const double out_mps = 10 * static_cast<double>(restitution);
+                // One after the other, the second would take what the first had back.
+                EXPECT_NEAR(pair.test.velocity(pair.front).x, out_mps, 1e-3);
+                EXPECT_NEAR(pair.test.velocity(pair.back).x, out_mps, 1e-3);
+            }
+        }
+    }
+}
+
+TEST(JointedImpacts, BothAtOnceBounceWithoutASpin) {
+    Thrown pair(JointKind::Fixed, 1, 10, {0, 1, 0});
+    pair.test.run(0.5);
+    EXPECT_NEAR(pair.test.velocity(pair.front).x, 10, 1e-3);
+    EXPECT_NEAR(pair.test.velocity(pair.back).x, 10, 1e-3);
+}
+
+// m v' = m v - J, I w' = J r, and the point that meets the wall leaves it as fast as it came.
+TEST(JointedImpacts, AnEndThatMeetsTheWallFirstTurnsTheRest) {
+    Thrown pair(JointKind::Fixed, 1, 10, {0.6_r, 0.8_r, 0});
+    const double energy_J = energy(pair.test.world).kinetic_J;
+    pair.test.run(0.18);
+    EXPECT_NEAR(energy(pair.test.world).kinetic_J / energy_J, 1, 1e-4);
+    EXPECT_GT(glm::length(pair.test.spin(pair.front)), 5);
+}
+
+TEST(JointedImpacts, ACradleOfFiveBallsKeepsItsSwing) {
+    WorldDef def = afloat();
+    def.gravity_mps2 = {0, -static_cast<Real>(kG), 0};
+    TestWorld test(def);
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 5; ++i) {
+        const Vec3 hook{0.2_r * static_cast<Real>(i), 2, 0};
+        const Real angle = i == 0 ? -kPi / 6 : 0;
+        balls.push_back(test.add(SphereShape{0.1_r},
+                                 hook + Vec3{std::sin(angle), -std::cos(angle), 0},
+                                 bouncing(1, 1, {0, 0, 0})));
+        join(test,
+             {.kind = JointKind::BallAndSocket,
+              .a = balls.back(),
+              .anchor_a_world = hook,
+              .anchor_b_world = hook});
+    }
+    const double swing_J = kG * (1 - std::cos(kPiD / 6));
+    // Of five balls that hang 1 m above the plane through the origin.
+    const auto energy_J = [&] { return energy(test.world).total_J() - 5 * kG; };
+    EXPECT_NEAR(energy_J() / swing_J, 1, 1e-4);
+    double others_mps = 0;
+    for (int i = 0; i < 600; ++i) {
+        test.world.step();
+        for (std::size_t k = 1; k < 4; ++k)
+            others_mps = std::max(others_mps, glm::length(test.velocity(balls[k])));
+    }
+    EXPECT_NEAR(energy_J() / swing_J, 1, 0.02);
+    const double fastest_mps = std::sqrt(2 * swing_J);
+    EXPECT_LT(others_mps, 0.05 * fastest_mps) << "the three in the middle hang still";
+}
+
+}  // namespace
+}  // namespace plumbline::physics
