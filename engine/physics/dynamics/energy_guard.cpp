@@ -25,31 +25,15 @@ bool moves_by_itself(const SolverBody& body) {
                                glm::dot(body.spin_radps, body.spin_radps) > 0);
 }
 
-double mass_kg(const SolverBody& body) {
-    return 1 / static_cast<double>(body.inverse_mass);
-}
-
 Vec3d center_velocity_mps(std::span<const SolverBody> bodies) {
     Vec3d momentum{0, 0, 0};
     double mass = 0;
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
-        mass += mass_kg(body);
-        momentum += mass_kg(body) * Vec3d(body.velocity_mps);
+        mass += body.mass_kg();
+        momentum += body.mass_kg() * Vec3d(body.velocity_mps);
     }
     return mass > 0 ? momentum / mass : momentum;
-}
-
-double kinetic_J(std::span<const SolverBody> bodies, const Vec3d& center_mps) {
-    double sum = 0;
-    for (const SolverBody& body : bodies) {
-        if (!body.movable()) continue;
-        const Vec3d v = Vec3d(body.velocity_mps) - center_mps;
-        const Vec3d spin = glm::conjugate(Quatd(body.delta_rotation) * body.start_orientation) *
-                           Vec3d(body.spin_radps);
-        sum += 0.5 * (mass_kg(body) * glm::dot(v, v) + glm::dot(body.inertia_kgm2 * spin, spin));
-    }
-    return sum;
 }
 
 double elastic_J(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
@@ -80,8 +64,8 @@ Vec3d center_error_mps(std::span<const SolverBody> bodies,
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
         if (body.linear_damping_factor != 1) return {0, 0, 0};
-        mass += mass_kg(body);
-        momentum += mass_kg(body) * Vec3d(body.acceleration_mps2) * step_s;
+        mass += body.mass_kg();
+        momentum += body.mass_kg() * Vec3d(body.acceleration_mps2) * step_s;
     }
     const Vec3d error = end_mps - (start_mps + momentum / mass);
     const double rounding_mps = kRestless_mps + kRoundingShare * glm::length(end_mps);
@@ -94,7 +78,7 @@ double work_J(std::span<const SolverBody> bodies, double step_s) {
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
         sum +=
-            mass_kg(body) * glm::dot(Vec3d(body.acceleration_mps2), Vec3d(body.delta_position_m));
+            body.mass_kg() * glm::dot(Vec3d(body.acceleration_mps2), Vec3d(body.delta_position_m));
         if (body.angular_acceleration_radps2 == Vec3{0, 0, 0}) continue;
         // At most: the torque all along the fastest turn.
         const double most =
@@ -125,7 +109,7 @@ void bound_ways(std::span<SolverBody> bodies,
     for (SolverBody& body : bodies) {
         if (!body.movable()) continue;
         const double most_mps = static_cast<double>(body.start_speed_mps) +
-                                std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
+                                std::sqrt(2 * allowed_J / body.mass_kg()) + glm::length(center_mps);
         const auto most_m = static_cast<Real>(most_mps * step_s);
         const Real length_m = glm::length(body.delta_position_m);
         if (length_m > most_m) body.delta_position_m *= most_m / length_m;
@@ -176,7 +160,7 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
         if (!body.movable()) continue;
         const double speed =
             kRestless_mps + static_cast<double>(glm::length(body.acceleration_mps2) * h);
-        slack_J_ += 0.5 * mass_kg(body) * speed * speed;
+        slack_J_ += 0.5 * body.mass_kg() * speed * speed;
     }
 }
 

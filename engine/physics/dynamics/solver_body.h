@@ -4,6 +4,7 @@
 #include "engine/core/math.h"
 
 #include <cstdint>
+#include <span>
 
 namespace plumbline::physics {
 
@@ -51,6 +52,7 @@ struct alignas(64) SolverBody {
     bool jointed{false};           ///< movable, and a joint holds it
 
     bool movable() const { return inverse_mass > 0; }
+    double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
     /// `arm` from the centre of mass, world axes.
     void push(const Vec3& impulse_Ns, const Vec3& arm) {
@@ -58,6 +60,19 @@ struct alignas(64) SolverBody {
         spin_radps += inverse_inertia * glm::cross(arm, impulse_Ns);
     }
 };
+
+/// Of the movable ones, relative to a centre that moves so fast.
+inline double kinetic_J(std::span<const SolverBody> bodies, const Vec3d& center_mps) {
+    double sum = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        const Vec3d v = Vec3d(body.velocity_mps) - center_mps;
+        const Vec3d spin = glm::conjugate(Quatd(body.delta_rotation) * body.start_orientation) *
+                           Vec3d(body.spin_radps);
+        sum += 0.5 * (body.mass_kg() * glm::dot(v, v) + glm::dot(body.inertia_kgm2 * spin, spin));
+    }
+    return sum;
+}
 
 /// Index of the body that stands for the static world in every island's array: never moves.
 inline constexpr std::uint32_t kWorldBody = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -14,6 +15,8 @@ constexpr Real kSettledShare = 4 * std::numeric_limits<Real>::epsilon();
 /// The same where joints are solved after each push, which is dearer.
 constexpr int kJointedSweeps = 30;
 constexpr Real kJointedShare = 1e-4_r;
+/// Of the energy: more is a gain, not rounding.
+constexpr double kGain = 1e-6;
 /// Of what a body answers alone: joints that leave less let it move no way along the direction.
 constexpr double kHeldFast = 1e-5;
 /// Points nearer than this are taken as touching, m: rounding of a separation.
@@ -148,7 +151,7 @@ struct SweepLimits {
 /// All points at once. `held`: what follows every push.
 template <typename Held>
 void sweep_impacts(std::span<ImpactPoint> impacts,
-                   std::span<ContactConstraint> constraints,
+                   std::span<const ContactConstraint> constraints,
                    std::span<SolverBody> bodies,
                    const SweepLimits& limits,
                    const Held& held) {
@@ -170,10 +173,16 @@ void sweep_impacts(std::span<ImpactPoint> impacts,
         }
         agree = changed_Ns <= limits.settled_share * total_Ns;
     }
-    for (const ImpactPoint& impact : impacts) {
-        ContactConstraint& constraint = constraints[impact.constraint];
-        keep_impact(impact, constraint, bodies[constraint.a], bodies[constraint.b]);
-    }
+}
+
+/// Where a + b s + c s^2 passes `most` between 0 and 1, from values at 0, 1/2 and 1 of which only the last is more.
+double share_within(double most, double at_0, double at_half, double at_1) {
+    const double c = 2 * (at_0 + at_1) - 4 * at_half;
+    const double b = at_1 - at_0 - c;
+    const double left = most - at_0;
+    if (!(left > 0)) return 0;
+    const double root = std::sqrt(std::max(b * b + 4 * c * left, 0.0));
+    return std::clamp(2 * left / (b + root), 0.0, 1.0);
 }
 
 }  // namespace
@@ -298,17 +307,75 @@ void ImpactPass::solve(const Group& group) {
             return held > kHeldFast * static_cast<double>(alone) ? static_cast<Real>(held) : alone;
         });
     }
-    if (!group.is_jointed()) {
+    if (group.is_jointed()) {
+        solve_jointed(group);
+    } else {
         const int sweeps = impacts_.size() > 1 ? kInnerSweeps : 1;
-        return sweep_impacts(
-            impacts_, contacts_->constraints, bodies_, {sweeps, kSettledShare}, [] {});
+        sweep_impacts(impacts_, contacts_->constraints, bodies_, {sweeps, kSettledShare}, [] {});
     }
-    const auto hold = [&] {
-        const auto [of_a, of_b] = group.pieces;
-        if (of_a != JointGroup::kNoPiece) settings_.joints->solve_piece(of_a);
-        if (of_b != JointGroup::kNoPiece && of_b != of_a) settings_.joints->solve_piece(of_b);
+    for (const ImpactPoint& impact : impacts_) {
+        ContactConstraint& constraint = contacts_->constraints[impact.constraint];
+        keep_impact(impact, constraint, bodies_[constraint.a], bodies_[constraint.b]);
+    }
+}
+
+void ImpactPass::solve_jointed(const Group& group) {
+    const auto sweep = [&] {
+        sweep_impacts(
+            impacts_, contacts_->constraints, bodies_, {kJointedSweeps, kJointedShare}, [&] {
+                const auto [of_a, of_b] = group.pieces;
+                JointSystem& joints = *settings_.joints;
+                if (of_a != JointGroup::kNoPiece) joints.solve_piece(of_a);
+                if (of_b != JointGroup::kNoPiece && of_b != of_a) joints.solve_piece(of_b);
+            });
     };
-    sweep_impacts(impacts_, contacts_->constraints, bodies_, {kJointedSweeps, kJointedShare}, hold);
+    const std::vector<ImpactPoint> start = impacts_;
+    const std::vector<Motion> before = motions();
+    const double before_J = kinetic_J(bodies_, {0, 0, 0});
+    settings_.joints->note_impulses();
+    sweep();
+    const double elastic_J = kinetic_J(bodies_, {0, 0, 0});
+    if (!(elastic_J > before_J * (1 + kGain))) return;
+    // With friction, speeds that are all turned round may be more than there was (Kane and Levinson, Dynamics, 1985): as
+    // much of the way from the plastic impact to this one is gone as gives nothing.
+    const std::vector<ImpactPoint> elastic = std::exchange(impacts_, start);
+    const std::vector<Motion> elastic_motions = motions();
+    set_motions(before);
+    settings_.joints->return_impulses();
+    for (ImpactPoint& impact : impacts_) impact.target_mps = impact.shift_m = 0;
+    sweep();
+    const std::vector<Motion> plastic_motions = motions();
+    const double plastic_J = kinetic_J(bodies_, {0, 0, 0});
+    set_motions(mixed(plastic_motions, elastic_motions, 0.5_r));
+    const double half_J = kinetic_J(bodies_, {0, 0, 0});
+    const auto share = static_cast<Real>(share_within(before_J, plastic_J, half_J, elastic_J));
+    set_motions(mixed(plastic_motions, elastic_motions, share));
+    for (std::size_t i = 0; i < impacts_.size(); ++i)
+        impacts_[i].normal_Ns += share * (elastic[i].normal_Ns - impacts_[i].normal_Ns);
+}
+
+std::vector<ImpactPass::Motion> ImpactPass::motions() const {
+    std::vector<Motion> all;
+    for (const SolverBody& body : bodies_) all.push_back({body.velocity_mps, body.spin_radps});
+    return all;
+}
+
+void ImpactPass::set_motions(std::span<const Motion> motions) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        bodies_[i].velocity_mps = motions[i].velocity_mps;
+        bodies_[i].spin_radps = motions[i].spin_radps;
+    }
+}
+
+std::vector<ImpactPass::Motion> ImpactPass::mixed(std::span<const Motion> from,
+                                                  std::span<const Motion> to,
+                                                  Real share) {
+    std::vector<Motion> all;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        all.push_back({from[i].velocity_mps + share * (to[i].velocity_mps - from[i].velocity_mps),
+                       from[i].spin_radps + share * (to[i].spin_radps - from[i].spin_radps)});
+    }
+    return all;
 }
 
 std::uint32_t ImpactPass::run() {

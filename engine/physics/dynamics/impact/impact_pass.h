@@ -73,6 +73,18 @@ private:
     bool gather(const Group& group);
     bool gather(const Pair& pair, bool may_shift);
     void solve(const Group& group);
+    /// Joints are solved after each push; no energy comes of it.
+    void solve_jointed(const Group& group);
+
+    struct Motion {
+        Vec3 velocity_mps{0, 0, 0};
+        Vec3 spin_radps{0, 0, 0};
+    };
+    std::vector<Motion> motions() const;
+    void set_motions(std::span<const Motion> motions);
+    static std::vector<Motion> mixed(std::span<const Motion> from,
+                                     std::span<const Motion> to,
+                                     Real share);
 
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;

@@ -88,6 +88,8 @@ struct JointSystem::Impl {
     std::vector<JointForm> forms;
     std::vector<double> spring_load;
     std::vector<bool> stiff;
+    std::vector<Vec3d> noted_impulses;
+    std::vector<double> noted_bounds;
     JointMethod method{JointMethod::Direct};
     Phase phase{Phase::Ready};
     int substeps{0};
@@ -237,6 +239,19 @@ void JointSystem::solve_piece(std::uint32_t piece) {
     group.read_velocities();
     impl_->direct.solve_component(group, group.topology->components[piece]);
     group.write_velocities();
+}
+
+void JointSystem::note_impulses() {
+    impl_->noted_impulses = impl_->group.impulses;
+    impl_->noted_bounds.clear();
+    for (const JointBound& bound : impl_->group.bounds)
+        impl_->noted_bounds.push_back(bound.impulse);
+}
+
+void JointSystem::return_impulses() {
+    impl_->group.impulses = impl_->noted_impulses;
+    for (std::size_t i = 0; i < impl_->noted_bounds.size(); ++i)
+        impl_->group.bounds[i].impulse = impl_->noted_bounds[i];
 }
 
 void JointSystem::end_impacts() {

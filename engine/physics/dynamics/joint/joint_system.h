@@ -98,6 +98,9 @@ public:
     double inverse_mass_along(const ImpulseLine& line);
     /// Velocities that the joints of one piece allow.
     void solve_piece(std::uint32_t piece);
+    /// The joints' impulses are given back, later, as they are now: what was solved since was a try.
+    void note_impulses();
+    void return_impulses();
     /// After impacts: what they took of the joints is no force that lasts, and springs push as if they had not pushed before.
     void end_impacts();
     /// Velocities that the joints allow: limits and motors swept, then all rows exactly.

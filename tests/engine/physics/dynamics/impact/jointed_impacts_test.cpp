@@ -111,5 +111,48 @@ TEST(JointedImpacts, ACradleOfFiveBallsKeepsItsSwing) {
     EXPECT_LT(others_mps, 0.05 * fastest_mps) << "the three in the middle hang still";
 }
 
+/// A figure of six parts falls on its side, with friction: turned round, all its points' speeds would be more than it had.
+TEST(JointedImpacts, AFallingFigureGainsNothing) {
+    WorldDef def = afloat();
+    def.gravity_mps2 = {0, -static_cast<Real>(kG), 0};
+    TestWorld test(def);
+    test.ground(0.6_r, 0.9_r);
+    const auto part = [&](const ShapeDef& shape, const Vec3& at, Real mass_kg, const Quat& turned) {
+        BodyDef body = bouncing(mass_kg, 0.9_r, {0, 0, 0});
+        body.friction = 0.6_r;
+        body.world_from_body.orientation = turned;
+        return test.add(shape, at, body);
+    };
+    const auto turned = [](Real degrees, const Vec3& axis) {
+        return glm::angleAxis(degrees * kPi / 180, axis);
+    };
+    const BodyId torso = part(
+        BoxShape{{0.4_r, 0.6_r, 0.25_r}}, {0, 3, 0}, 30, turned(30, glm::normalize(Vec3{2, 3, 1})));
+    const auto hang = [&](BodyId limb, const Vec3& at) {
+        join(test,
+             {.kind = JointKind::BallAndSocket,
+              .a = limb,
+              .b = torso,
+              .anchor_a_world = at,
+              .anchor_b_world = at});
+    };
+    hang(part(SphereShape{0.13_r}, {0, 3.45_r, 0}, 5, kNoRotation), {0, 3.32_r, 0});
+    for (const Real side : {-1.0_r, 1.0_r}) {
+        hang(
+            part(CapsuleShape{0.06_r, 0.4_r}, {side * 0.45_r, 3.15_r, 0}, 4, turned(90, {0, 0, 1})),
+            {side * 0.2_r, 3.15_r, 0});
+        hang(part(CapsuleShape{0.08_r, 0.5_r}, {side * 0.12_r, 2.35_r, 0}, 8, kNoRotation),
+             {side * 0.12_r, 2.68_r, 0});
+    }
+    const double start_J = energy(test.world).total_J();
+    double braked_J = 0;
+    for (int i = 0; i < 300; ++i) {
+        test.world.step();
+        braked_J += test.world.report().cost.interventions.braked_J;
+    }
+    EXPECT_LT(braked_J, 1e-3 * start_J) << "what the energy guard took out";
+    EXPECT_LT(energy(test.world).total_J(), 0.5 * start_J);
+}
+
 }  // namespace
 }  // namespace plumbline::physics
