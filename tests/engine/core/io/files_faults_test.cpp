@@ -226,6 +226,7 @@ TEST(SaveFaults, KilledAtRandomTheFileIsAlwaysWhole) {
 }
 
 /// Makes a file look as if it was last written so long ago.
+/// A second more than asked for is safe: time() may be a tick behind this clock, and so a second.
 void make_older(const fs::path& file, long age_s) {
     timespec now{};
     ::clock_gettime(CLOCK_REALTIME, &now);
@@ -262,7 +263,7 @@ std::string saving_by(int process, int number) {
 // EXPERIENCE E2: at a start, without a save.
 TEST(SaveFaults, WhatKilledSavesLeftCanBeSwept) {
     const TemporaryFolder folder;
-    for (int i = 0; i < 32; ++i) make_older(folder.write(saving_by(kNobody, i), "half"), 61);
+    for (int i = 0; i < 32; ++i) make_older(folder.write(saving_by(kNobody, i), "half"), 62);
     folder.write(saving_by(kNobody, 32), "young");
     make_older(folder.write(saving_by(::getpid(), 1), "a film that waits for its next frame"), 600);
     remove_stale_saves(folder.path());
@@ -276,7 +277,7 @@ TEST(SaveFaults, WhatKilledSavesLeftCanBeSweptInAllFoldersBelow) {
     fs::create_directories(folder / "saves/garden");
     fs::create_directory_symlink(elsewhere.path(), folder / "link");
     for (const char* below : {"", "saves/", "saves/garden/", "link/"})
-        make_older(folder.write(below + saving_by(kNobody, 1), "half"), 61);
+        make_older(folder.write(below + saving_by(kNobody, 1), "half"), 62);
     folder.write("saves/garden/slot_1", "whole");
     remove_stale_saves_below(folder.path());
     EXPECT_EQ(folder.count(), 2U) << "saves and the link";
