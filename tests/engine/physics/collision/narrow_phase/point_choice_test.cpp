@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -19,7 +20,7 @@ constexpr double kLevel_m = 1e-4;
 std::vector<FlatPoint> polygon(int corners) {
     std::vector<FlatPoint> points;
     for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * kPiD * i / corners;
+        const double angle = 2 * std::numbers::pi * i / corners;
         points.push_back({{std::cos(angle), std::sin(angle)}, -1e-3});
     }
     return points;
@@ -44,10 +45,10 @@ TEST(PointChoice, LeavesOutOfManyCornersWhatLiesWithinTheRest) {
             angles.push_back(std::atan2(points[i].place.y, points[i].place.x));
         ASSERT_EQ(angles.size(), 8U) << corners;
         std::ranges::sort(angles);
-        double widest = 2 * kPiD + angles.front() - angles.back();
+        double widest = 2 * std::numbers::pi + angles.front() - angles.back();
         for (std::size_t i = 1; i < angles.size(); ++i)
             widest = std::max(widest, angles[i] - angles[i - 1]);
-        EXPECT_LT(widest, 2 * kPiD / 4) << corners;
+        EXPECT_LT(widest, 2 * std::numbers::pi / 4) << corners;
     }
     std::vector<FlatPoint> crowd = polygon(4);
     for (int i = 0; i < 20; ++i) crowd.push_back({{0.02 * i - 0.2, 0.01 * i}, -1e-3});
