@@ -54,6 +54,11 @@ struct alignas(64) SolverBody {
     bool movable() const { return inverse_mass > 0; }
     double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
+    /// By how much a unit impulse at `arm` along `direction` changes the velocity there along it, 1/kg.
+    Real inverse_mass_along(const Vec3& arm, const Vec3& direction) const {
+        const Vec3 turn = glm::cross(arm, direction);
+        return inverse_mass + glm::dot(turn, inverse_inertia * turn);
+    }
     /// `arm` from the centre of mass, world axes.
     void push(const Vec3& impulse_Ns, const Vec3& arm) {
         velocity_mps += impulse_Ns * inverse_mass;

@@ -22,11 +22,6 @@ constexpr double kHeldFast = 1e-5;
 /// Points nearer than this are taken as touching, m: rounding of a separation.
 constexpr Real kTouching_m = 1e-6_r;
 
-Real mass_along(const SolverBody& body, const Vec3& arm, const Vec3& direction) {
-    const Vec3 turn = glm::cross(arm, direction);
-    return body.inverse_mass + glm::dot(turn, body.inverse_inertia * turn);
-}
-
 Vec3 pull_at(const SolverBody& body, const Vec3& arm) {
     return body.acceleration_mps2 + glm::cross(body.angular_acceleration_radps2, arm);
 }
@@ -217,17 +212,14 @@ void ImpactPass::group_by_pieces() {
         return std::array{settings_.joints->piece_of(constraint.a),
                           settings_.joints->piece_of(constraint.b)};
     };
-    // What meets: a piece or, of no piece, a body.
-    const auto sides_of = [&](const Pair& pair) {
+    // What meets: two pieces or, of no piece, bodies.
+    const auto key_of = [&](const Pair& pair) {
         const ContactConstraint& constraint = contacts_->constraints[pair.first_constraint];
         const auto [of_a, of_b] = pieces_of(pair);
-        const std::pair a{of_a, of_a == JointGroup::kNoPiece ? constraint.a : 0};
-        const std::pair b{of_b, of_b == JointGroup::kNoPiece ? constraint.b : 0};
-        return std::minmax(a, b, [](const auto& x, const auto& y) { return x < y; });
-    };
-    const auto key_of = [&](const Pair& pair) {
-        const auto sides = sides_of(pair);
-        return std::pair(std::pair(sides.first), std::pair(sides.second));
+        std::array sides{std::pair(of_a, of_a == JointGroup::kNoPiece ? constraint.a : 0),
+                         std::pair(of_b, of_b == JointGroup::kNoPiece ? constraint.b : 0)};
+        std::ranges::sort(sides);
+        return sides;
     };
     if (settings_.joints != nullptr) std::ranges::stable_sort(pairs_, {}, key_of);
     for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
@@ -298,8 +290,8 @@ void ImpactPass::solve(const Group& group) {
     for (ImpactPoint& impact : impacts_) {
         const ContactConstraint& constraint = contacts_->constraints[impact.constraint];
         weigh_impact(impact, constraint, [&](const Vec3& direction) {
-            const Real alone = mass_along(bodies_[constraint.a], impact.arm_a, direction) +
-                               mass_along(bodies_[constraint.b], impact.arm_b, direction);
+            const Real alone = bodies_[constraint.a].inverse_mass_along(impact.arm_a, direction) +
+                               bodies_[constraint.b].inverse_mass_along(impact.arm_b, direction);
             if (!group.is_jointed()) return alone;
             const double held = settings_.joints->inverse_mass_along(
                 {constraint.a, constraint.b, impact.arm_a, impact.arm_b, direction});

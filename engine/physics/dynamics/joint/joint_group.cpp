@@ -39,11 +39,6 @@ void push(JointBody& body, const Vec3d& impulse_Ns, const Vec3d& arm) {
     body.spin_radps += body.inverse_inertia * glm::cross(arm, impulse_Ns);
 }
 
-double inverse_mass_alone(const SolverBody& body, const Vec3& arm, const Vec3& direction) {
-    const Vec3 turn = glm::cross(arm, direction);
-    return static_cast<double>(body.inverse_mass + glm::dot(turn, body.inverse_inertia * turn));
-}
-
 }  // namespace
 
 void JointGroup::start(std::span<SolverBody> island_bodies) {
@@ -199,7 +194,8 @@ double JointGroup::inverse_mass_along(const BlockLdlt& factor, const ImpulseLine
         if (end.as_piece)
             stop_piece(end.side.piece);
         else
-            sum += inverse_mass_alone(island_[end.body], end.arm, line.direction);
+            sum +=
+                static_cast<double>(island_[end.body].inverse_mass_along(end.arm, line.direction));
     }
     for (const End& end : ends) {
         if (end.as_piece) push(bodies[end.side.member], direction * end.sign, Vec3d(end.arm));
