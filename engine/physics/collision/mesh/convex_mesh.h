@@ -1,6 +1,7 @@
 // Contact points of a convex shape and a triangle mesh, also of such as do not touch yet.
 #pragma once
 
+#include "engine/physics/collision/narrow_phase/point_choice.h"
 #include "engine/physics/collision/shape/convex_shape.h"
 #include "engine/physics/collision/shape/mesh_geometry.h"
 
@@ -17,7 +18,7 @@ struct MeshPatchPoint {
 
 /// What a shape has with one face of a mesh, of however many triangles, or with one edge or corner.
 struct MeshPatch {
-    static constexpr std::size_t kMostPoints = 8;
+    static constexpr std::size_t kMostPoints = PointChoice::kMost;
 
     Vec3 normal{0, 1, 0};  ///< unit, from the mesh to the shape
     std::array<MeshPatchPoint, kMostPoints> points{};

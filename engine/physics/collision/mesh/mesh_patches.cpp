@@ -139,6 +139,7 @@ private:
     }
 
     Points reduced(const Points& all) const {
+        if (all.size() <= PointChoice::kAllKept) return all;
         std::vector<FlatPoint> places;
         for (const MeshPoint& point : all) places.push_back({flat(point), point.distance_m});
         Points chosen;

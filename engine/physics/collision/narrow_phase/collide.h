@@ -4,6 +4,7 @@
 // of all vectors.
 #pragma once
 
+#include "engine/physics/collision/narrow_phase/point_choice.h"
 #include "engine/physics/collision/shape/convex_shape.h"
 
 #include <array>
@@ -20,7 +21,7 @@ struct ConvexPoint {
 
 /// What two convex shapes have between them.
 struct ConvexContact {
-    std::array<ConvexPoint, 8> list{};
+    std::array<ConvexPoint, PointChoice::kMost> list{};
     std::size_t count{0};
     Real same_m{0};  ///< a point that moved less on either body since the step before is the same
 

@@ -17,6 +17,7 @@ using FeatureKind = Feature::Kind;
 constexpr double kParallelLines = 0.05;
 /// A face steeper than this against the normal says nothing of what lies over it.
 constexpr double kSteep = 1e-3;
+
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -285,6 +286,7 @@ double ContactRegion::width_m() const {
 }
 
 void ContactRegion::reduce(double level_m) {
+    if (count_ <= PointChoice::kAllKept) return;
     std::array<FlatPoint, kRoom> flat;
     for (std::size_t i = 0; i < count_; ++i) flat[i] = {places_[i], points_[i].distance_m};
     const PointChoice choice = choose_points({flat.data(), count_}, level_m);

@@ -18,8 +18,6 @@ constexpr double kSticksOut = 0.05;
 /// contacts give way by as much (substep_choice.cpp), so its places alone decide and the choice stays while loads change.
 constexpr double kAsNear = 0.003;
 constexpr double kAll_m = std::numeric_limits<double>::max();
-/// So many are all kept, in their order.
-constexpr std::size_t kAllKept = 4;
 
 PointChoice all_of(std::size_t count) {
     PointChoice choice{.count = count};
@@ -159,7 +157,7 @@ private:
 }  // namespace
 
 PointChoice choose_points(std::span<const FlatPoint> points, double level_m) {
-    if (points.size() <= kAllKept) return all_of(points.size());
+    if (points.size() <= PointChoice::kAllKept) return all_of(points.size());
     SpanChooser chooser(points, level_m);
     chooser.keep_corners();
     chooser.keep_deepest();

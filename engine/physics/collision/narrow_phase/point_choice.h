@@ -18,6 +18,8 @@ struct FlatPoint {
 /// Indices of the chosen points, those that span most first.
 struct PointChoice {
     static constexpr std::size_t kMost = 8;
+    /// So many are all kept, in their order.
+    static constexpr std::size_t kAllKept = 4;
 
     std::array<std::size_t, kMost> kept{};
     std::size_t count{0};
@@ -25,7 +27,7 @@ struct PointChoice {
     std::span<const std::size_t> points() const { return {kept.data(), count}; }
 };
 
-/// Up to four points are all kept. Of more: the one farthest from the middle, the one farthest from that, those that make the
+/// Up to kAllKept points are all kept. Of more: the one farthest from the middle, the one farthest from that, those that make the
 /// largest triangles on either side of the line between, and what sticks out most beyond each side of those four: a corner
 /// that nothing holds would sink until it is the deepest, and the body would rock from one choice to the next. Points that
 /// hardly touch are not chosen where the others span an area; what is deeper than all that is chosen, as the line of a ridge is,
