@@ -263,7 +263,7 @@ TEST(ContactRegion, ItsAreaIsThatOfTheClippedPolygons) {
         ASSERT_LE(region.points().size(), 8U);
         if (area > 1e-3) least_share = std::min(least_share, area_of_hull(region.points()) / area);
     }
-    EXPECT_GT(least_share, 0.55);
+    EXPECT_GT(least_share, 0.78);
 }
 
 TEST(ContactRegion, ReducingKeepsTheDeepest) {
@@ -297,7 +297,9 @@ TEST(ContactRegion, ABodyAtRestKeepsItsPoints) {
         for (const PlacedConvex& below : {floor, lower}) {
             const PlacedConvex rest = placed(solid, about_y(0.3), {0, 0.4 - 1e-4, 0});
             const SurfaceContact wanted = physics::contact_of(rest, below, kReach_m)->contact;
-            ASSERT_GE(wanted.count, 4U);
+            // Two rims that lie on each other also have the places of both.
+            const bool one_rim = solid.name == "cylinder" && below.shape == floor.shape;
+            ASSERT_EQ(wanted.count, one_rim ? 4U : 8U) << solid.name;
             EXPECT_GT(area_of({wanted.points.data(), wanted.count}), 0.4) << solid.name;
             Random random(7);
             int kept = 0;
