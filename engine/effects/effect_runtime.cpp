@@ -57,7 +57,8 @@ EffectRuntime::EffectRuntime(scene::Simulation& simulation,
     simulation.set_features({.continuous_collision = served.without != "continuous_collision",
                              .gyroscopic_torque = served.without != "gyroscopic_torque",
                              .gyro_waits_for_spin = true,
-                             .contact_events = false});
+                             .contact_events = false,
+                             .belts = false});
     refresh(simulation);
 }
 

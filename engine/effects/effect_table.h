@@ -69,6 +69,9 @@ struct EffectRow {
     ROW(wind_sound, Sound)          \
     ROW(sound_paths, Sound)         \
     ROW(room_reverb, Sound)         \
+    ROW(drag, Step)                 \
+    ROW(magnets, Step)              \
+    ROW(conveyor, Step)             \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
     ROW(contact_events, Step)

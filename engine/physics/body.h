@@ -47,7 +47,11 @@ struct BodyDef {
     std::optional<Vec3> center_of_mass_m{};  ///< body frame; none: of the shape
     Vec3 velocity_mps{0, 0, 0};              ///< of the body's origin
     Vec3 angular_velocity_radps{0, 0, 0};    ///< world axes
-    Real friction{0.5_r};                    ///< combined as sqrt(a*b)
+    /// Static and kinematic bodies: how fast their surface moves along itself, body frame: a belt; and turns about the
+    /// body's origin: a turntable that stands still. small_step only.
+    Vec3 surface_velocity_mps{0, 0, 0};
+    Vec3 surface_spin_radps{0, 0, 0};
+    Real friction{0.5_r};  ///< combined as sqrt(a*b)
     Real rolling_friction{0};
     Real spinning_friction{0};
     Real restitution{0};           ///< 0…1, combined as max(a, b)

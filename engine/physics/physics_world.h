@@ -11,6 +11,7 @@
 #include "engine/core/result.h"
 #include "engine/core/text/diagnostics.h"
 #include "engine/physics/body.h"
+#include "engine/physics/force_field.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/step_report.h"
 
@@ -19,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -65,6 +67,7 @@ struct WorldFeatures {
     /// A step that begins with no body turning so that the torque shows goes without it.
     bool gyro_waits_for_spin{false};
     bool contact_events{true};
+    bool belts{true};  ///< surfaces move along themselves as their bodies say
 };
 
 /// In a crowd so many dynamic bodies are near a dynamic one. Spheres of one size touch 12.
@@ -125,9 +128,10 @@ public:
 
     // --- the world
 
-    /// One fixed step. Bodies whose state is not finite are taken out first, counted and left
+    /// One fixed step, in which `fields` push bodies: all the same for as long as a body sleeps on them, in one order.
+    /// Bodies whose state is not finite are taken out first, counted and left
     /// where they last were finite; the rest goes on as if they had not been there.
-    void step();
+    void step(std::span<ForceField* const> fields = {});
     const StepReport& report() const;  ///< of the latest step
     void set_features(const WorldFeatures& features);
     const WorldDef& def() const;

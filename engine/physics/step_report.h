@@ -36,6 +36,7 @@ struct StepCost {
     double total_ms{0};           ///< whole step; the rest is "other"
     std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
     std::uint32_t contacts{0};    ///< contact points
+    std::uint32_t belts{0};       ///< small_step: manifolds on belts, for each part of a step
     std::uint32_t pairs{0};       ///< small_step: pairs of bodies tested for contact points
     Interventions interventions{};
 };
@@ -59,7 +60,8 @@ struct IslandReport {
     std::uint32_t contacts{0};  ///< points
     std::uint32_t joints{0};
     int substeps{0};
-    std::string_view reason;  ///< "least", "load", "height", "turning", "error", "held", "fixed"
+    std::string_view
+        reason;  ///< "least", "load", "height", "turning", "field", "error", "held", "fixed"
 };
 
 /// All of it; the next step overwrites it.

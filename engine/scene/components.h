@@ -1,5 +1,6 @@
 // Every engine component, on one page: plain data, no behaviour, no pointers to other modules'
-// objects, only ids. What only the game attaches is in game/components.h.
+// objects, only ids. What only the game attaches is in game/components.h; Drag and Magnet, which are as a
+// scene file says, in field_description.h.
 #pragma once
 
 #include "engine/assets/asset_library.h"
@@ -8,6 +9,7 @@
 #include "engine/ecs/registry.h"
 #include "engine/physics/body.h"
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/field_description.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -67,6 +69,9 @@ struct PartBodies {
     };
     std::vector<Part> parts;
 };
+
+/// Its surface moves along itself; the physics knows how.
+struct Belt {};
 
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
 struct SurfaceRef {

@@ -45,6 +45,7 @@ struct WindDescription {
     Real speed_mps{3};
     Real gusts{0.4_r};            ///< their speed as a share of the mean
     Real gust_size_m{9};          ///< from crest to crest
+    bool shelter{false};          ///< large static things keep it off what stands in their lee
     std::filesystem::path sound;  ///< a loop, heard at the ear; empty: none
     float sound_gain{0.3F};       ///< in the mean wind
     SourceLocation location{};

@@ -108,6 +108,29 @@ private:
     std::uint64_t revision_{0};
 };
 
+/// The force fields that steps ask, by their names.
+class ForceFields {
+public:
+    /// The field outlives its place here.
+    void add(std::string_view name, physics::ForceField& field) {
+        fields_.emplace(name, &field);
+        list();
+    }
+    void remove(std::string_view name) {
+        fields_.erase(fields_.find(name));
+        list();
+    }
+    std::span<physics::ForceField* const> all() const { return list_; }
+
+private:
+    void list() {
+        list_.clear();
+        for (const auto& [name, field] : fields_) list_.push_back(field);
+    }
+    std::map<std::string, physics::ForceField*, std::less<>> fields_;
+    std::vector<physics::ForceField*> list_;
+};
+
 /// So many fields because effects, game and study each keep beside the world what they tell each other.
 class Simulation {
 public:
@@ -143,6 +166,7 @@ public:
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
+    ForceFields force_fields;            ///< of the effects there are
     ContactListeners contact_listeners;  ///< contact events are made while there are any
 
     const SceneDescription& description() const { return description_; }

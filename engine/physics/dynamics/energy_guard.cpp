@@ -58,8 +58,9 @@ double elastic_J(std::span<const SolverBody> bodies, std::span<const SolverJoint
 Vec3d center_error_mps(std::span<const SolverBody> bodies,
                        const Vec3d& start_mps,
                        const Vec3d& end_mps,
+                       const Vec3d& by_fields_Ns,
                        double step_s) {
-    Vec3d momentum{0, 0, 0};
+    Vec3d momentum = by_fields_Ns;
     double mass = 0;
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
@@ -139,7 +140,7 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
     grounded_ = false;
     if (contacts.empty() && joints.empty()) return;
     for (const ContactConstraint& constraint : contacts) {
-        if (moves_by_itself(bodies[constraint.b])) return;
+        if (constraint.belt != 0 || moves_by_itself(bodies[constraint.b])) return;
         grounded_ = grounded_ || !bodies[constraint.b].movable();
     }
     for (const SolverJoint& joint : joints) {
@@ -166,18 +167,21 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
 
 double EnergyGuard::end(std::span<SolverBody> bodies,
                         std::span<const SolverJoint> joints,
+                        const FieldWork& fields,
                         double step_s) const {
     if (!watches_) return 0;
     Vec3d center_mps = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
     if (joined_ && !grounded_) {
-        const Vec3d error_mps = center_error_mps(bodies, center_mps_, center_mps, step_s);
+        const Vec3d error_mps =
+            center_error_mps(bodies, center_mps_, center_mps, fields.impulse_Ns, step_s);
         center_mps -= error_mps;
         for (SolverBody& body : bodies) {
             if (body.movable()) body.velocity_mps -= Vec3(error_mps);
         }
     }
     const double now_J = kinetic_J(bodies, center_mps);
-    const double work = grounded_ ? work_J(bodies, step_s) : std::abs(work_J(bodies, step_s));
+    const double forces_J = work_J(bodies, step_s) + fields.work_J;
+    const double work = grounded_ ? forces_J : std::abs(forces_J);
     const double from_springs_J = elastic_J_ > 0 ? elastic_J_ - elastic_J(bodies, joints) : 0;
     const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_ +
                              std::max(from_springs_J, 0.0) + share_ * elastic_J_;
@@ -185,7 +189,8 @@ double EnergyGuard::end(std::span<SolverBody> bodies,
     if (!(now_J > 0) || !std::isfinite(now_J)) return 0;
     const bool too_much = now_J > allowed_J;
     const double exact_J = std::max(start_J_ + work, 0.0);
-    if (conserves_ && std::abs(now_J - exact_J) > kConservedShare * start_J_ + slack_J_) {
+    if (conserves_ && fields.work_J == 0 &&
+        std::abs(now_J - exact_J) > kConservedShare * start_J_ + slack_J_) {
         scale_energy(bodies, center_mps, std::min(exact_J / now_J, kMostGivenBack));
     } else if (too_much) {
         scale_energy(bodies, center_mps, allowed_J / now_J);

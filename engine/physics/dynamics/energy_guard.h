@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/dynamics/contact/contact_constraint.h"
+#include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/dynamics/joint/joint_system.h"
 
 #include <span>
@@ -29,9 +30,10 @@ public:
                std::span<const SolverJoint> joints,
                double joint_speed,
                Real h);
-    /// After the last: what was too much and was taken out, J; 0: nothing.
+    /// After the last: what was too much and was taken out, J; 0: nothing. `fields`: what they did meanwhile.
     double end(std::span<SolverBody> bodies,
                std::span<const SolverJoint> joints,
+               const FieldWork& fields,
                double step_s) const;
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/collision/manifold.h"
+#include "engine/physics/force_field.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/world/joint_record.h"
 
@@ -42,8 +43,10 @@ struct IslandStep {
     JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
     StepCost* cost{nullptr};
-    double part_s{0};  ///< of the part of it at hand; 0: it is solved at once
-    bool first{true};  ///< of its parts
+    std::span<ForceField* const> fields{};
+    double start_s{0};  ///< of the part of it at hand
+    double part_s{0};   ///< of the part of it at hand; 0: it is solved at once
+    bool first{true};   ///< of its parts
     bool last{true};
 };
 

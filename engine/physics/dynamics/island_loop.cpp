@@ -43,12 +43,17 @@ void hold_along_axes(std::span<const HeldBody> held, std::span<SolverBody> bodie
 }
 
 /// Forces for the sub-step, and the impulses of the one before.
-void apply_steady_forces(std::span<SolverBody> bodies, ContactSet& contacts, Real h) {
+void apply_steady_forces(std::span<SolverBody> bodies,
+                         ContactSet& contacts,
+                         FieldForces& fields,
+                         const FieldTime& time,
+                         Real h) {
     for (SolverBody& body : bodies) {
         body.velocity_increment_mps = body.acceleration_mps2 * h;
         body.spin_increment_radps = body.angular_acceleration_radps2 * h;
     }
     contacts.warm_start();
+    if (!fields.empty()) fields.push(bodies, time);
     for (SolverBody& body : bodies) {
         if (!body.movable()) continue;
         body.velocity_mps =
@@ -88,9 +93,11 @@ void move_bodies(std::span<SolverBody> bodies, bool gyroscopic_torque, Real h) {
 void IslandLoop::clear() {
     bodies.assign(1, SolverBody{});
     contacts.constraints.clear();
+    contacts.belts.clear();
     touching_m.clear();
     joints.clear();
     held.clear();
+    fields.begin_island({});
 }
 
 LoopReport IslandLoop::run(const LoopSettings& settings) {
@@ -123,10 +130,10 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(
         bodies, contacts.constraints, joints, joints.empty() ? 0 : joint_system_.most_speed(), h_);
-    for (int i = 0; i < settings.substeps; ++i) substep();
+    for (int i = 0; i < settings.substeps; ++i) substep(i);
     for (SolverBody& body : bodies)
         report_.clamped_bodies += clamp_depenetration_velocity(body, settings.push_mps) ? 1U : 0U;
-    report_.braked_J = guard_.end(bodies, joints, settings.step_s);
+    report_.braked_J = guard_.end(bodies, joints, fields.work(), settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;
@@ -153,26 +160,28 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(bodies, contacts.constraints, joints, 0, h_);
     report_.impacts = impacts_.run();
-    report_.braked_J = guard_.end(bodies, joints, 0);
+    report_.braked_J = guard_.end(bodies, joints, {}, 0);
     report_.row_solves = contacts.row_solves;
     return report_;
 }
 
-void IslandLoop::substep() {
+void IslandLoop::substep(int number) {
     if (impacts_.needed()) {
         const auto impacts = impacts_.run();
         report_.impacts += impacts;
         if (impacts > 0 && !joints.empty()) joint_system_.end_impacts();
     }
-    apply_steady_forces(bodies, contacts, h_);
-    if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
+    const auto h = static_cast<double>(h_);
+    apply_steady_forces(bodies, contacts, fields, {settings_.start_s + (number + 0.5) * h, h}, h_);
+    if (!joints.empty()) joint_system_.push_springs(h / 2);
     solve_velocities();
     if (!joints.empty()) joint_system_.begin_motion(!contacts.constraints.empty());
     move_bodies(bodies, settings_.gyroscopic_torque, h_);
+    if (!fields.empty()) fields.count(bodies);
     hold_along_axes(held, bodies);
     if (!joints.empty()) {
         joint_system_.correct_positions();
-        joint_system_.push_springs(static_cast<double>(h_) / 2);
+        joint_system_.push_springs(h / 2);
         joint_system_.refresh();
     }
     relax();

@@ -6,6 +6,7 @@
 
 #include "engine/physics/dynamics/contact/contact_set.h"
 #include "engine/physics/dynamics/energy_guard.h"
+#include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/dynamics/impact/impact_pass.h"
 #include "engine/physics/dynamics/joint/joint_system.h"
 
@@ -15,6 +16,7 @@ namespace plumbline::physics {
 
 struct LoopSettings {
     double step_s{1.0 / 60.0};
+    double start_s{0};  ///< since the start of the step that this is a part of
     int substeps{4};
     double spring_s{0};    ///< a sub-step that contacts are made for; 0: those of the step
     int iterations{1};     ///< sweeps of each kind per sub-step
@@ -48,6 +50,7 @@ public:
     std::vector<Real>
         touching_m;  ///< of each constraint: nearer is touching, where an impact is solved
     std::vector<SolverJoint> joints;
+    FieldForces fields;
 
     /// Empties the island; keeps the memory.
     void clear();
@@ -59,7 +62,7 @@ public:
     LoopReport run_impacts(const LoopSettings& settings, Real rest_s);
 
 private:
-    void substep();
+    void substep(int number);
     void solve_velocities();
     void relax();
 

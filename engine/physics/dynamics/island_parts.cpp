@@ -89,6 +89,7 @@ void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span)
         const int parts = std::min(parts_of_step(island, rest_s), std::max(left, 1));
         const double next = parts == 1 ? span.to : now + rest / parts;
         step.part_s = rest_s / parts;
+        step.start_s = now * step.step_s;
         step.last = next == 1;
         if (now > span.from) {
             carry_to(now);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <unordered_map>
 
@@ -59,6 +60,20 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
         body.angular_damping_factor =
             static_cast<Real>(portable_exp(-record.traits.angular_damping_per_s * h));
     return body;
+}
+
+/// The number of the belt that a body is (ContactConstraint::belt).
+std::uint32_t belt_of(const BodyRecord& record, ContactSet& contacts) {
+    const BodyTraits& traits = record.traits;
+    if (!traits.is_belt()) return 0;
+    // Body axes: the mass frame's, turned back.
+    const Quat world_from_body = glm::normalize(quat_of(record.motion->at.rotation) *
+                                                glm::conjugate(traits.body_from_mass.orientation));
+    const Vec3 spin = world_from_body * traits.surface_spin_radps;
+    const Vec3 arm = world_from_body * traits.body_from_mass.position;
+    contacts.belts.push_back(
+        {world_from_body * traits.surface_velocity_mps + glm::cross(spin, arm), spin});
+    return static_cast<std::uint32_t>(contacts.belts.size());
 }
 
 void write_bodies(std::span<const SolverBody> bodies, std::span<BodyRecord* const> records) {
@@ -127,6 +142,7 @@ struct IslandSolver::Impl {
     std::uint32_t posed_index_of(const BodyRecord& record);
     std::uint32_t add_body(BodyRecord* record, const SolverBody& body);
     void add_joint(const JointRecord& joint);
+    void add_to_fields(const BodyRecord& record, std::span<ForceField* const> fields);
 };
 
 IslandSolver::IslandSolver() : impl_(std::make_unique<Impl>()) {}
@@ -162,6 +178,23 @@ void IslandSolver::Impl::add_joint(const JointRecord& joint) {
     entry.a = posed_index_of(*joint.a);
     entry.b = joint.b != nullptr ? posed_index_of(*joint.b) : kWorldBody;
     loop.joints.push_back(entry);
+}
+
+/// What moves along with the body makes it heavier, not its weight.
+void IslandSolver::Impl::add_to_fields(const BodyRecord& record,
+                                       std::span<ForceField* const> fields) {
+    double added_kg = 0;
+    for (std::uint32_t mask = record.small.fields; mask != 0; mask &= mask - 1)
+        added_kg +=
+            fields[static_cast<std::size_t>(std::countr_zero(mask))]->added_mass_kg(record.id);
+    if (added_kg > 0) {
+        SolverBody& body = loop.bodies[record.small.row];
+        const auto share =
+            static_cast<Real>(record.traits.mass_kg / (record.traits.mass_kg + added_kg));
+        body.inverse_mass *= share;
+        body.acceleration_mps2 *= share;
+    }
+    loop.fields.add(record.small.row, record.id, record.small.fields);
 }
 
 void IslandSolver::serialize(Archive& archive) {
@@ -215,6 +248,11 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
         }
         chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
     }
+    for (const BodyRecord* record : island.bodies) {
+        for (std::uint32_t mask = record->small.fields; mask != 0; mask &= mask - 1)
+            chooser.add_field(
+                step.fields[static_cast<std::size_t>(std::countr_zero(mask))]->substeps());
+    }
     SubstepChoice choice = chooser.choose(step.substeps_least, step.substeps_most);
     hold(island, step, choice);
     return choice;
@@ -256,17 +294,21 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     records.assign(1, nullptr);
     bounds.clear();
     bridge.begin_island();
+    loop.fields.begin_island(step.fields);
     for (BodyRecord* record : island.bodies) {
         if (record->traits.held_along_axes()) {
             loop.held.push_back({.body = static_cast<std::uint32_t>(loop.bodies.size()),
                                  .linear_factor = record->traits.linear_factor});
         }
         record->small.row = add_body(record, dynamic_body(*record, step, h));
+        if (record->small.fields != 0) add_to_fields(*record, step.fields);
     }
     for (Manifold* manifold : island.manifolds) {
+        const BodyRecord& bound = pushable(*manifold->a) ? *manifold->b : *manifold->a;
         bridge.add(*manifold,
                    {.a = index_of(*manifold->a),
                     .b = index_of(*manifold->b),
+                    .belt = step.features.belts ? belt_of(bound, loop.contacts) : 0,
                     .a_moves = pushable(*manifold->a)},
                    static_cast<Real>(h),
                    loop.contacts);
@@ -309,6 +351,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     impl.gather(island, step, h);
     const LoopReport report =
         impl.loop.run({.step_s = part_s,
+                       .start_s = step.start_s,
                        .substeps = substeps,
                        .spring_s = is_parted ? step.step_s / choice.substeps : 0,
                        .iterations = step.iterations,
@@ -321,6 +364,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     if (is_parted) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));
     write_joints(impl.loop.joints, island.joints, part_s);
     step.cost->row_solves += report.row_solves;
+    step.cost->belts += static_cast<std::uint32_t>(impl.loop.contacts.belts.size());
     count(report, step.cost->interventions);
     if (step.last) step.cost->contacts += impl.bridge.point_count();
     return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,

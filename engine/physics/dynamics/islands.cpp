@@ -93,7 +93,8 @@ void IslandBuilder::tie_what_may_follow(std::span<const SweptPath> swept) {
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,
                           std::span<Manifold* const> manifolds,
                           std::span<JointRecord* const> joints,
-                          std::span<const SweptPath> swept) {
+                          std::span<const SweptPath> swept,
+                          const FieldTies& fields) {
     sets_.reset(bodies.size());
     held_.assign(bodies.size(), 0);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->small.row = i;
@@ -104,7 +105,10 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
     };
     for (const Manifold* manifold : manifolds) tie(manifold->a, manifold->b);
     for (const JointRecord* joint : joints) tie(joint->a, joint->b);
-
+    for (const auto& [a, b] : fields.pairs) tie(a, b);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i]->small.fields != 0) held_[i] = 1;
+    }
     for (const SweptPath& path : swept) {
         if (path.meets != nullptr && !path.after_impact) tie(path.body, path.meets);
     }
@@ -127,6 +131,7 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
         }
         islands_[number].bodies.push_back(bodies[i]);
         bodies[i]->small.island = number;
+        if ((bodies[i]->small.fields & fields.carrying) != 0) islands_[number].supported = true;
     }
     for (Manifold* manifold : manifolds) {
         const BodyRecord* member = is_member(manifold->a) ? manifold->a : manifold->b;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace plumbline::physics {
@@ -17,6 +18,12 @@ struct SweptPath {
     bool after_impact{false};    ///< `meets` is only what it may meet after its first impact
 };
 
+/// What the fields of a step tie together. A body with a bit of BodyRecord's `small.fields` is held by a field.
+struct FieldTies {
+    std::span<const std::pair<BodyRecord*, BodyRecord*>> pairs{};
+    std::uint32_t carrying{0};  ///< fields that bodies may rest on, a bit each
+};
+
 /// Builds a step's islands and keeps their memory for the next step.
 class IslandBuilder {
 public:
@@ -26,7 +33,8 @@ public:
     void build(std::span<BodyRecord* const> bodies,
                std::span<Manifold* const> manifolds,
                std::span<JointRecord* const> joints,
-               std::span<const SweptPath> swept = {});
+               std::span<const SweptPath> swept = {},
+               const FieldTies& fields = {});
 
     std::span<Island> islands() { return {islands_.data(), count_}; }
     /// Bodies that nothing touches or holds, in the order of their ids.

@@ -21,6 +21,7 @@ enum class SubstepReason : std::uint8_t {
     Load,     ///< the heaviest load would sink in too far, or jointed bodies press on something
     Height,   ///< many bodies on top of each other
     Turning,  ///< jointed bodies turn fast
+    Field,    ///< a force field asked for them
     Error,    ///< joints were further apart than they may be
     Held,     ///< a step shortly before needed as many
 };
@@ -43,6 +44,8 @@ public:
     /// A joint: the faster spin of its two bodies and the error the latest step left, as a share of
     /// the bodies' size.
     void add_joint(Real spin_radps, Real relative_error);
+    /// A force field acts on one of the bodies.
+    void add_field(int substeps);
     SubstepChoice choose(int least, int most);
 
 private:
@@ -60,6 +63,7 @@ private:
     bool has_joints_{false};
     double fastest_spin_radps_{0};
     double joint_error_{0};
+    int by_fields_{0};
     std::vector<int> level_;  ///< of each body, 0: not reached
     std::vector<int> first_;  ///< neighbours of body i: neighbour_[first_[i]] on
     std::vector<int> neighbour_;

@@ -32,6 +32,9 @@ struct BodyTraits {
     ConvexShape
         primitive{};  ///< the geometry's only shape, if that stands in the mass frame; else of kind None
     Material material{};
+    /// Of a belt or a turntable, body frame and about its origin; see BodyDef.
+    Vec3 surface_velocity_mps{0, 0, 0};
+    Vec3 surface_spin_radps{0, 0, 0};
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
     double mass_kg{0};
@@ -47,6 +50,9 @@ struct BodyTraits {
     Real contact_margin_m{0};  ///< points count as near up to this distance
 
     bool held_along_axes() const { return linear_factor != Vec3{1, 1, 1}; }
+    bool is_belt() const {
+        return surface_velocity_mps != Vec3{0, 0, 0} || surface_spin_radps != Vec3{0, 0, 0};
+    }
 };
 
 /// A body's motion as the latest substep found it.
@@ -89,6 +95,7 @@ struct SmallStepBody {
     int substeps{0};              ///< of its island in the latest step
     int substeps_held{0};         ///< steps since its island really asked for as many
     std::uint32_t row{0};         ///< among the awake bodies, while islands are built
+    std::uint32_t fields{0};      ///< that act on it in this step, a bit each
     std::uint32_t island{0};      ///< of the latest step; none: not a number of one
     PredictedChange predicted{};  ///< within a step
     std::vector<PairLink> pairs;  ///< by the other body's id

@@ -44,8 +44,8 @@ void WorldState::build_engine(const WorldDef& world_def) {
     report.islands.clear();
     engine = std::make_unique<BulletEngine>(def, report);
     if (def.solver == Solver::SmallStep) {
-        small = std::make_unique<SmallStepWorld>(
-            SmallStepParts{.def = def, .engine = *engine, .joints = joints, .report = report});
+        small = std::make_unique<SmallStepWorld>(SmallStepParts{
+            .def = def, .engine = *engine, .bodies = bodies, .joints = joints, .report = report});
         small->after_solve = [this] { gather_events(*this, false, gathered); };
     }
 }

@@ -3,6 +3,7 @@
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/dynamics/body_sweep.h"
+#include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
 
@@ -62,7 +63,9 @@ void SmallStepWorld::begin_step() {
     touching_.clear();
 }
 
-void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
+void SmallStepWorld::step(const WorldFeatures& wanted,
+                          std::span<ForceField* const> fields,
+                          bool want_contacts) {
     laps_.start();
     bodies.begin_step(parts_.joints);
     if (bodies.idle()) return;
@@ -83,8 +86,8 @@ void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
     ahead_.clear();
     if (features.continuous_collision) look_ahead(features);
     list_joints(bodies.dynamic(), parts_.joints, joined_);
-    builder_.build(bodies.dynamic(), touching_, joined_, ahead_);
-    solve_islands(features);
+    builder_.build(bodies.dynamic(), touching_, joined_, ahead_, ties_of(fields));
+    solve_islands(features, fields);
     report_.cost.solve_ms += laps_.lap_ms();
     if (want_contacts) {
         after_solve();
@@ -134,7 +137,25 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
     parts_.engine.set_box(record, {low, high});
 }
 
-void SmallStepWorld::solve_islands(const WorldFeatures& features) {
+/// Notes which fields act on whom.
+FieldTies SmallStepWorld::ties_of(std::span<ForceField* const> fields) {
+    tied_.clear();
+    for (BodyRecord* record : bodies.dynamic())
+        record->small.fields = field_mask(fields, record->id);
+    FieldTies ties;
+    for (std::size_t i = 0; i < std::min(fields.size(), kMostFields); ++i) {
+        if (fields[i]->carries()) ties.carrying |= 1U << i;
+        field_pairs_.clear();
+        fields[i]->list_pairs(field_pairs_);
+        for (const auto& [a, b] : field_pairs_)
+            tied_.emplace_back(parts_.bodies.get(a).get(), parts_.bodies.get(b).get());
+    }
+    ties.pairs = tied_;
+    return ties;
+}
+
+void SmallStepWorld::solve_islands(const WorldFeatures& features,
+                                   std::span<ForceField* const> fields) {
     IslandStep step{.step_s = parts_.def.step_s,
                     .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
                     .substeps_least = parts_.def.substeps,
@@ -142,7 +163,8 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features) {
                     .iterations = parts_.def.iterations,
                     .joints = parts_.def.joints,
                     .features = features,
-                    .cost = &report_.cost};
+                    .cost = &report_.cost,
+                    .fields = fields};
     solver_.begin_step();
     bool found_again = false;
     for (Island& island : builder_.islands()) {

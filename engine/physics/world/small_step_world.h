@@ -24,6 +24,7 @@ namespace plumbline::physics {
 struct SmallStepParts {
     const WorldDef& def;
     BulletEngine& engine;  ///< holds the bodies
+    const BodyTable& bodies;
     const JointTable& joints;
     StepReport& report;  ///< added to
 };
@@ -36,7 +37,7 @@ public:
     void take_rate();
     /// Lists who moves; then forces and kinematic velocities are prepared.
     void begin_step();
-    void step(const WorldFeatures& wanted, bool want_contacts);
+    void step(const WorldFeatures& wanted, std::span<ForceField* const> fields, bool want_contacts);
     /// Who is awake, who sleeps with whom.
     void serialize(Archive& archive, const BodyScope& scope);
     /// Manifolds that had points in the latest step.
@@ -48,7 +49,8 @@ public:
 private:
     bool find_turning(const WorldFeatures& features);
     void refresh_box(BodyRecord& record);
-    void solve_islands(const WorldFeatures& features);
+    FieldTies ties_of(std::span<ForceField* const> fields);
+    void solve_islands(const WorldFeatures& features, std::span<ForceField* const> fields);
     void look_ahead(const WorldFeatures& features);
     void move_free_bodies(const WorldFeatures& features);
     void stop_swept_bodies(std::span<BodyRecord* const> moved);
@@ -69,6 +71,8 @@ private:
     std::vector<Manifold*> touching_;
     std::vector<JointRecord*> joined_;
     std::vector<SweptPath> ahead_;
+    std::vector<ForceField::Pair> field_pairs_;
+    std::vector<std::pair<BodyRecord*, BodyRecord*>> tied_;
     std::vector<BodyRecord*> turning_;
     std::vector<const Island*> resting_;
 };

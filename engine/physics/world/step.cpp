@@ -2,6 +2,7 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
+#include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -99,11 +100,44 @@ void settle(WorldState& world) {
     settle_joints(world);
 }
 
-void advance_bullet(WorldState& world, bool want_contacts) {
+/// What fields push by in the whole step, as forces: Bullet's sub-steps ask nobody.
+void push_by_fields(WorldState& world, std::span<ForceField* const> fields) {
+    const double step_s = world.def.step_s;
+    std::vector<BodyRecord*> records;
+    std::vector<BodyInField> states;
+    std::vector<std::uint32_t> masks;
+    for (BodyRecord* record : world.engine->moving()) {
+        if (!pushable(*record) || !is_active(*record)) continue;
+        const std::uint32_t mask = field_mask(fields, record->id);
+        if (mask == 0) continue;
+        const BodyMotion& motion = *record->motion;
+        const Vec3d half_m = Vec3d(motion.velocity_mps) * (step_s / 2);
+        records.push_back(record);
+        masks.push_back(mask);
+        states.push_back({.id = record->id,
+                          .center_m = Vec3d(motion.at.position_m) + half_m,
+                          .world_from_mass = double_quat_of(motion.at.rotation),
+                          .velocity_mps = Vec3d(motion.velocity_mps),
+                          .spin_radps = Vec3d(motion.spin_radps),
+                          .mass_kg = record->traits.mass_kg,
+                          .inertia_kgm2 = record->traits.inertia_kgm2});
+    }
+    std::vector<BodyInField*> bodies;
+    for (BodyInField& state : states) bodies.push_back(&state);
+    act_on_all(fields, bodies, masks, {step_s / 2, step_s});
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        add_force(*records[i], Vec3(states[i].impulse_Ns / step_s));
+        records[i]->applied.torque_Nm += Vec3(states[i].angular_impulse_Nms / step_s);
+        records[i]->applied.by_caller = true;
+    }
+}
+
+void advance_bullet(WorldState& world, std::span<ForceField* const> fields, bool want_contacts) {
     BulletEngine& engine = *world.engine;
     std::function<void()> after_solve;
     if (want_contacts) after_solve = [&world] { gather_events(world, false, world.gathered); };
     engine.list_moving();
+    if (!fields.empty()) push_by_fields(world, fields);
     prepare_bodies(world);
     prepare_joints(world);
     engine.begin_step(world.features, std::move(after_solve));
@@ -115,14 +149,14 @@ void advance_bullet(WorldState& world, bool want_contacts) {
     settle(world);
 }
 
-void advance_small(WorldState& world, bool want_contacts) {
+void advance_small(WorldState& world, std::span<ForceField* const> fields, bool want_contacts) {
     SmallStepWorld& small = *world.small;
     small.begin_step();
     world.slept_through = small.bodies.idle();
     if (world.slept_through) return;
     prepare_bodies(world);
     prepare_joints(world);
-    small.step(world.features, want_contacts);
+    small.step(world.features, fields, want_contacts);
     settle(world);
 }
 
@@ -164,7 +198,7 @@ void WorldState::isolate(BodyRecord& record) {
     report.isolated.push_back(record.id);
 }
 
-void PhysicsWorld::step() {
+void PhysicsWorld::step(std::span<ForceField* const> fields) {
     WorldState& world = *state_;
     const CpuTimer own_time;
     LapTimer wall;
@@ -182,9 +216,9 @@ void PhysicsWorld::step() {
     world.gathered.clear();
     const bool want_contacts = world.features.contact_events && world.event_bodies > 0;
     if (world.small)
-        advance_small(world, want_contacts);
+        advance_small(world, fields, want_contacts);
     else
-        advance_bullet(world, want_contacts);
+        advance_bullet(world, fields, want_contacts);
     const bool nothing_changed = world.slept_through && world.events_asleep;
     if (!want_contacts) {
         report.contacts.clear();

@@ -280,6 +280,8 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .center_of_mass_m = body.center_of_mass_m,
          .velocity_mps = body.velocity_mps,
          .angular_velocity_radps = body.angular_velocity_radps,
+         .surface_velocity_mps = body.surface_velocity_mps,
+         .surface_spin_radps = body.surface_spin_radps,
          .friction = body.friction.value_or(surface.friction),
          .rolling_friction = body.rolling_friction,
          .spinning_friction = body.spinning_friction,
@@ -340,6 +342,11 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                          ExitCode::Refused};
         }
         registry.add<BodyRef>(entity, BodyRef{.body = *body});
+        if (description.body->drag) registry.add<Drag>(entity, *description.body->drag);
+        if (description.body->surface_velocity_mps != Vec3{0, 0, 0} ||
+            description.body->surface_spin_radps != Vec3{0, 0, 0})
+            registry.add<Belt>(entity, Belt{});
+        if (description.body->magnet) registry.add<Magnet>(entity, *description.body->magnet);
     }
     registry.add<Name>(entity, Name{.text = name, .label = description.label});
     registry.add<Transform>(

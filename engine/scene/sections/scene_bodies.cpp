@@ -10,7 +10,6 @@ using physics::BodyKind;
 constexpr Range kMass_kg{limits::kMassMin_kg, limits::kMassMax_kg, "kg from 0.001 to 10000000"};
 constexpr Range kFriction{0, 1000, "a coefficient from 0 to 1000"};
 constexpr Range kDamping{0, 1000, "a rate from 0 to 1000 per s"};
-constexpr Range kSpeed_mps{-limits::kSpeed_mps, limits::kSpeed_mps, "m/s from -1000 to 1000"};
 constexpr Range kSpin_radps{-1e4, 1e4, "rad/s from -10000 to 10000"};
 
 bool is_mesh(const BodyShapeDescription& shape) {
@@ -150,6 +149,7 @@ void read_body(TableReader& table,
     read_surface(table, body);
     read_motion_state(table, body);
     read_groups(table, body);
+    read_body_fields(table, body);
     check_shape(table, body, visual, use);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/assets/asset_library.h"
+#include "engine/core/limits.h"
 #include "engine/core/result.h"
 #include "engine/scene/formats/scene_reader.h"
 #include "engine/scene/paths/scene_paths.h"
@@ -29,6 +30,9 @@ struct PrefabSource {
     const TomlNode* node{nullptr};
     std::string path;
 };
+
+inline constexpr Range kSpeed_mps{
+    -limits::kSpeed_mps, limits::kSpeed_mps, "m/s from -1000 to 1000"};
 
 /// What is true for one load, whichever file a part stands in.
 struct LoadContext {
@@ -110,6 +114,10 @@ void read_body(TableReader& table,
                BodyDescription& body,
                const VisualDescription& visual,
                EntityUse use);
+
+// --- scene_fields.cpp
+void read_body_fields(TableReader& table, BodyDescription& body);
+void read_fields(TableReader& root, SceneDescription& scene);
 
 // --- scene_shapes.cpp
 /// One of box, sphere, cylinder, capsule, cone, plane in `table`; none of them: nothing.

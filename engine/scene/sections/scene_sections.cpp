@@ -14,7 +14,7 @@ namespace plumbline::scene {
 namespace {
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 20> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 19> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
@@ -31,11 +31,10 @@ constexpr std::array<std::string_view, 20> kEffects{"sun_shadow",
                                                     "continuous_collision",
                                                     "gyroscopic_torque",
                                                     "contact_events",
-                                                    "wind",
                                                     "grass",
                                                     "flock"};
-constexpr std::array<std::string_view, 6> kEffectsToCome{
-    "buoyancy", "drag", "magnets", "explosions", "fracture", "conveyor"};
+constexpr std::array<std::string_view, 5> kEffectsToCome{
+    "cloth", "rope", "soft", "fracture", "vehicles"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
@@ -48,6 +47,8 @@ void read_world(TableReader& root, SceneDescription& scene) {
         scene.gravity_mps2 = Vec3(glm::normalize(gravity) * kMost);
     }
     table->read("kill_below_m", scene.kill_below_m, kCoordinate_m);
+    table->read("air_density_kgpm3", scene.air_density_kgpm3, {0, 1e4, "kg/m3 from 0 to 10000"});
+    table->read("magnetic_field_T", scene.magnetic_field_T, {-100, 100, "T from -100 to 100"});
     table->finish();
 }
 
@@ -118,8 +119,16 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         settings->finish();  // none of them has settings so far
         scene.effect_settings.emplace(name, settings->location());
     }
-    const std::array<std::pair<std::string_view, Fidelity*>, 5> with_fidelity{
-        {{"fountain", &scene.fountain_fidelity},
+    FieldFidelity& fields = scene.field_fidelity;
+    const std::array<std::pair<std::string_view, Fidelity*>, 12> with_fidelity{
+        {{"wind", &fields.wind},
+         {"drag", &fields.drag},
+         {"buoyancy", &fields.buoyancy},
+         {"water", &fields.water},
+         {"explosion", &fields.explosion},
+         {"conveyor", &fields.conveyor},
+         {"magnets", &fields.magnets},
+         {"fountain", &scene.fountain_fidelity},
          {"ambient_occlusion", &scene.screen_fidelity.occlusion},
          {"sun_shafts", &scene.screen_fidelity.shafts},
          {"depth_of_field", &scene.screen_fidelity.focus},
@@ -209,6 +218,7 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
     read_lights_and_air(root, scene, context);
     root.read_table("sound", scene.acoustics, read_acoustics);
     read_effects(root, scene, context);
+    read_fields(root, scene);
 }
 
 }  // namespace plumbline::scene

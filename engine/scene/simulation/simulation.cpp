@@ -87,7 +87,7 @@ void Simulation::step() {
     play_models();
     {
         const IgnoresInterrupts work;
-        physics.step();
+        physics.step(force_fields.all());
     }
     ++clock_.steps;
     if (switches.sun_rotation_radps != 0.0F) {

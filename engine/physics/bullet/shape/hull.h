@@ -3,7 +3,7 @@
 //
 #pragma once
 
-#include "engine/physics/dynamics/mass.h"
+#include "engine/physics/collision/shape/mass.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "engine/core/result.h"
 #include "engine/physics/collision/shape/convex_shape.h"
 #include "engine/physics/collision/shape/hull_geometry.h"
-#include "engine/physics/dynamics/mass.h"
+#include "engine/physics/collision/shape/mass.h"
 #include "engine/physics/shape.h"
 
 #include <btBulletCollisionCommon.h>

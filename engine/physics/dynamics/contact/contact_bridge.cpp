@@ -23,6 +23,7 @@ void start_constraint(ContactConstraint& constraint,
     const Real sign = ends.a_moves ? Real{1} : Real{-1};
     constraint.a = ends.a_moves ? ends.a : ends.b;
     constraint.b = ends.a_moves ? ends.b : ends.a;
+    constraint.belt = ends.belt;
     constraint.normal = sign * point.normal_world;
     constraint.radius_a = ends.a_moves ? point.a.radius_m : point.b.radius_m;
     constraint.radius_b = ends.a_moves ? point.b.radius_m : point.a.radius_m;

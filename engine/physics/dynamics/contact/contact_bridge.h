@@ -14,7 +14,8 @@ namespace plumbline::physics {
 struct ManifoldEnds {
     std::uint32_t a{kWorldBody};
     std::uint32_t b{kWorldBody};
-    bool a_moves{true};  ///< forces can move it; else they can move b
+    std::uint32_t belt{0};  ///< ContactConstraint::belt
+    bool a_moves{true};     ///< forces can move it; else they can move b
 };
 
 /// Points that come anew while their pair goes on pressing (a sphere that rolled on, a box that slid

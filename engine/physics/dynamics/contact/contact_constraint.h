@@ -67,10 +67,12 @@ struct alignas(16) ContactConstraint {
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
-    bool carried{false};   ///< b turns and gives way to nothing
-    bool jointed{false};   ///< a joint holds a or b: its solution moves them again
-    bool bounced{false};   ///< off in this sub-step: on its way out, at the speed it should have
-    Vec3 normal{0, 1, 0};  ///< from b to a
+    bool carried{false};  ///< b turns and gives way to nothing
+    bool jointed{false};  ///< a joint holds a or b: its solution moves them again
+    bool bounced{false};  ///< off in this sub-step: on its way out, at the speed it should have
+    std::uint32_t belt{
+        0};  ///< one more than b's number in ContactSet::belts; 0: b's surface moves as b does
+    Vec3 normal{0, 1, 0};        ///< from b to a
     Vec3 start_normal{0, 1, 0};  ///< at the step's start
     /// A rounded side (sphere, capsule, side of a cylinder) is the sphere that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.

@@ -58,7 +58,8 @@ FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     const auto [center_a, center_b] = arms_of(constraint, a, b);
-    const Vec3 slip_world = a.velocity_at(center_a) - b.velocity_at(center_b);
+    const Vec3 slip_world =
+        a.velocity_at(center_a) - b.velocity_at(center_b) - belt_velocity_at(constraint, center_b);
     const Vec2 slip{glm::dot(slip_world, constraint.tangent[0]),
                     glm::dot(slip_world, constraint.tangent[1])};
     const Vec2 before{constraint.tangent_Ns[0], constraint.tangent_Ns[1]};
@@ -66,7 +67,9 @@ FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     const Real twist_limit = limit * constraint.twist_arm_m;
     Real twist = 0;
     if (twist_limit > 0) {
-        const Real spin = glm::dot(a.spin_radps - b.spin_radps, constraint.normal);
+        Real spin = glm::dot(a.spin_radps - b.spin_radps, constraint.normal);
+        if (constraint.belt != 0)
+            spin -= glm::dot(belts[constraint.belt - 1].spin_radps, constraint.normal);
         twist = constraint.twist_Nms - constraint.twist_mass * spin;
     }
     const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};

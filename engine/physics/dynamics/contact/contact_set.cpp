@@ -352,6 +352,7 @@ bool ContactSet::sweep(Sweep which, Solve solve) {
 }
 
 bool ContactSet::sweep_with_bias(Sweep which) {
+    belt_ahead_s_ = h_ / 2;
     return sweep(which, [this](ContactConstraint& constraint) {
         row_solves += static_cast<std::uint64_t>(constraint.count);
         return solve_with_bias(constraint);
@@ -359,6 +360,7 @@ bool ContactSet::sweep_with_bias(Sweep which) {
 }
 
 bool ContactSet::relax(Sweep which) {
+    belt_ahead_s_ = 0;
     return sweep(which, [this](ContactConstraint& constraint) {
         const Real changed_mps = relax(constraint);
         return constraint.jointed ? changed_mps : Real{0};

@@ -31,7 +31,25 @@ struct FrictionChange {
 
 class ContactSet {
 public:
+    /// How a surface moves along itself: at its body's centre of mass, and about it; world axes.
+    struct Belt {
+        Vec3 velocity_mps{0, 0, 0};
+        Vec3 spin_radps{0, 0, 0};
+    };
+
     std::vector<ContactConstraint> constraints;
+    std::vector<Belt> belts;
+
+    /// Of b's surface against b where a has gone to since the step's start. `arm`: from b's centre of mass, at the start.
+    Vec3 belt_velocity_at(const ContactConstraint& constraint, const Vec3& arm) const {
+        if (constraint.belt == 0) return {0, 0, 0};
+        const SolverBody& a = bodies_[constraint.a];
+        const SolverBody& b = bodies_[constraint.b];
+        const Vec3 moved = a.delta_position_m - b.delta_position_m +
+                           (a.velocity_mps - b.velocity_mps) * belt_ahead_s_;
+        const Belt& belt = belts[constraint.belt - 1];
+        return belt.velocity_mps + glm::cross(belt.spin_radps, arm + moved);
+    }
 
     /// Masses and the order of the sweeps.
     void begin_step(std::span<SolverBody> bodies, const SweepSettings& settings);
@@ -72,6 +90,7 @@ private:
     std::vector<bool> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
+    Real belt_ahead_s_{0};  ///< the middle of the motion that the sweeps prepare: a chord of the circle on a turntable
     Real h_{0};
     Real push_mps_{3};
     Real bounce_mps_{0};

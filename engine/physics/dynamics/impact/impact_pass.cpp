@@ -93,7 +93,7 @@ Real solve_friction(ImpactPoint& impact,
                     const ContactConstraint& constraint,
                     SolverBody& a,
                     SolverBody& b) {
-    const Vec3 slip = a.velocity_at(impact.arm_a) - b.velocity_at(impact.arm_b);
+    const Vec3 slip = a.velocity_at(impact.arm_a) - b.velocity_at(impact.arm_b) - impact.belt_mps;
     Real next[2];
     for (int t = 0; t < 2; ++t)
         next[t] =
@@ -269,6 +269,7 @@ bool ImpactPass::gather(const Pair& pair, bool may_shift) {
                 (constraint.radius_a > 0 ? impact.arm_b : impact.arm_a) +=
                     constraint.radius_a > 0 ? moved : -moved;
             }
+            impact.belt_mps = contacts_->belt_velocity_at(constraint, impact.arm_b);
             const Real speed = glm::dot(a.velocity_at(impact.arm_a) - b.velocity_at(impact.arm_b),
                                         constraint.normal);
             const Real opening_mps2 =

@@ -24,6 +24,7 @@ struct ImpactPoint {
     int lane{0};
     Vec3 arm_a{0, 0, 0};
     Vec3 arm_b{0, 0, 0};
+    Vec3 belt_mps{0, 0, 0};  ///< of b's surface against b
     Real normal_mass{0};
     Real tangent_mass[2]{0, 0};
     Real target_mps{0};  ///< along the normal, after

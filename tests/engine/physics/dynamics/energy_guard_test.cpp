@@ -20,7 +20,7 @@ struct TwoBodies {
     EnergyGuard guard;
 
     void begin() { guard.begin(bodies, contacts, {}, 0, 1.0_r / 240); }
-    double end() { return guard.end(bodies, std::span<const SolverJoint>{}, 1.0 / 60); }
+    double end() { return guard.end(bodies, std::span<const SolverJoint>{}, {}, 1.0 / 60); }
     double energy_J() const {
         double sum = 0;
         for (const SolverBody& body : bodies) {
@@ -97,7 +97,7 @@ struct Pendulum {
     double left(Real kept, double joint_speed = 0) {
         guard.begin(bodies, {}, joints, joint_speed, 1.0_r / 240);
         bodies[1].velocity_mps *= kept;
-        taken_J = guard.end(bodies, joints, 1.0 / 60);
+        taken_J = guard.end(bodies, joints, {}, 1.0 / 60);
         const double speed = static_cast<double>(bodies[1].velocity_mps.x) / 3;
         return speed * speed;
     }
@@ -120,7 +120,7 @@ TEST(EnergyGuard, KnowsTheWorkOfGravityOnJoints) {
     rising.guard.begin(rising.bodies, {}, rising.joints, 0, 1.0_r / 240);
     rising.bodies[1].delta_position_m = {0, 0.2_r, 0};  // 4 J of 9
     rising.bodies[1].velocity_mps *= 0.5_r;
-    EXPECT_EQ(rising.guard.end(rising.bodies, rising.joints, 1.0 / 60), 0);
+    EXPECT_EQ(rising.guard.end(rising.bodies, rising.joints, {}, 1.0 / 60), 0);
     EXPECT_NEAR(rising.bodies[1].velocity_mps.x, std::sqrt(5.0), 1e-5);
 }
 
@@ -149,7 +149,7 @@ TEST(EnergyGuard, GivesNothingBackToWhatIsHeldByNothing) {
     const std::vector<SolverJoint> joints{SolverJoint{.a = 1, .b = 2}};
     pair.guard.begin(pair.bodies, {}, joints, 0, 1.0_r / 240);
     for (SolverBody& body : pair.bodies) body.velocity_mps *= 0.9_r;
-    pair.guard.end(pair.bodies, joints, 1.0 / 60);
+    pair.guard.end(pair.bodies, joints, {}, 1.0 / 60);
     EXPECT_NEAR(pair.bodies[1].velocity_mps.x, 0.9, 1e-6);
 }
 

@@ -1,4 +1,4 @@
-#include "engine/physics/dynamics/mass.h"
+#include "engine/physics/collision/shape/mass.h"
 
 #include <algorithm>
 #include <cmath>

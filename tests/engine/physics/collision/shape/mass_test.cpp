@@ -1,4 +1,4 @@
-#include "engine/physics/dynamics/mass.h"
+#include "engine/physics/collision/shape/mass.h"
 
 #include "tests/engine/physics/bullet/shape/shape_rig.h"
 

@@ -1,0 +1,161 @@
+// Air that bodies feel: drag in still air, wind and wind zones, and the lift of what spins.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+#include "engine/effects/physics/field_effect.h"
+#include "engine/physics/medium.h"
+#include "engine/physics/query.h"
+#include "engine/scene/environment/wind_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::effects {
+namespace {
+
+using physics::BodyInField;
+
+/// How far a static thing upwind shelters what stands in its lee.
+constexpr double kLee_m = 12;
+/// Of the weight: what the wind's push must have changed by for a body at rest to wake.
+constexpr double kWakingShare = 0.05;
+constexpr double kStandardGravity_mps2 = 9.80665;
+
+struct InAir {
+    scene::Drag drag;
+    double mass_kg{1};
+    double in_wind{
+        1};  ///< share of the wind that reaches it; the rest is kept off by things upwind
+    Vec3d resting_N{0, 0, 0};  ///< of the air when it came to rest
+    bool rested{false};
+};
+
+class AirDrag final : public FieldEffect<InAir> {
+public:
+    explicit AirDrag(scene::Simulation& simulation)
+        : FieldEffect(simulation, "drag"),
+          fidelity_(simulation.description().field_fidelity.drag) {}
+
+    int substeps() const override { return by_fidelity(fidelity_, std::array{1, 4, 16}); }
+
+private:
+    void list_receivers() override {
+        each_dynamic_body<scene::Drag>(
+            simulation_, [this](physics::BodyId body, const scene::Drag& drag) {
+                const auto mass_kg =
+                    static_cast<double>(simulation_.physics.state(body).mass.mass_kg);
+                receivers_.add(body, {.drag = drag, .mass_kg = mass_kg});
+            });
+    }
+
+    void prepare() override {
+        time_s_ = simulation_.time_s();
+        const scene::SceneDescription& scene = simulation_.description();
+        blows_ = simulation_.switches.is_on("wind", true) &&
+                 (scene.wind.has_value() || !scene.wind_zones.empty());
+        if (!blows_) return;
+        for (auto& [body, own] : receivers_.all()) {
+            const physics::BodyState state = simulation_.physics.state(body);
+            const Vec3 center = state.center_of_mass_world();
+            if (scene.wind && scene.wind->shelter) own.in_wind = share_of_wind(body, center);
+            if (state.awake || state.frozen) {
+                own.rested = false;
+                continue;
+            }
+            const Vec3d now_N =
+                push_at_rest_N(body, own, Vec3d(center), Quatd(state.world_from_body.orientation));
+            if (!own.rested) own.resting_N = now_N;
+            own.rested = true;
+            const double change_N = glm::length(now_N - own.resting_N);
+            if (change_N > kWakingShare * own.mass_kg * kStandardGravity_mps2)
+                simulation_.physics.wake(body);
+        }
+    }
+
+    void push(std::span<BodyInField* const> bodies, const physics::FieldTime& time) override {
+        for (BodyInField* body : bodies) push_one(*body, receivers_.find(body->id)->own, time);
+    }
+
+    /// The velocity against the air, after h, is shortened by 1 / (1 + k v h): the exact solution of v' = -k v2. Lift turns it
+    /// about the spin by an angle. Both commute.
+    void push_one(BodyInField& body, const InAir& own, const physics::FieldTime& time) const {
+        const Vec3d air_mps = air_at(body.center_m, time_s_ + time.at_s, own.in_wind);
+        const Vec3d before = body.velocity_mps - air_mps;
+        const double speed = glm::length(before);
+        if (!(speed > 0) || !std::isfinite(speed)) return;
+        const Vec3d direction_mass = glm::conjugate(body.world_from_mass) * (before / speed);
+        const double area_m2 = area_of(body.id, own, direction_mass);
+        const double half_rho =
+            0.5 * static_cast<double>(simulation_.description().air_density_kgpm3);
+        const double k =
+            half_rho * static_cast<double>(own.drag.coefficient) * area_m2 / body.mass_kg;
+        Vec3d after = before / (1 + k * speed * time.h_s);
+        const double spin = glm::length(body.spin_radps);
+        if (own.drag.spin_lift != 0 && spin > 0) {
+            const double radius_m = std::sqrt(area_m2 / static_cast<double>(kPi));
+            const double turn_rad = half_rho * static_cast<double>(own.drag.spin_lift) * area_m2 *
+                                    radius_m * spin / body.mass_kg * time.h_s;
+            after = portable_angle_axis(turn_rad, body.spin_radps / spin) * after;
+        }
+        body.impulse_Ns += (after - before) * body.mass_kg;
+    }
+
+    double area_of(physics::BodyId body, const InAir& own, const Vec3d& direction_mass) const {
+        if (own.drag.area_m2 > 0) return static_cast<double>(own.drag.area_m2);
+        return physics::silhouette_m2(simulation_.physics, body, direction_mass);
+    }
+
+    Vec3d air_at(const Vec3d& place, double time_s, double in_wind) const {
+        Vec3d air_mps{0, 0, 0};
+        if (!blows_) return air_mps;
+        const scene::SceneDescription& scene = simulation_.description();
+        const Vec3 at(place);
+        if (scene.wind) air_mps = Vec3d(scene::wind_at(*scene.wind, at, time_s)) * in_wind;
+        for (const scene::WindZone& zone : scene.wind_zones) {
+            if (glm::all(glm::greaterThanEqual(at, zone.min_m)) &&
+                glm::all(glm::lessThanEqual(at, zone.max_m)))
+                air_mps += Vec3d(zone.velocity_mps);
+        }
+        return air_mps;
+    }
+
+    Vec3d push_at_rest_N(physics::BodyId body,
+                         const InAir& own,
+                         const Vec3d& center,
+                         const Quatd& orientation) const {
+        const Vec3d air_mps = air_at(center, time_s_, own.in_wind);
+        const double speed = glm::length(air_mps);
+        if (!(speed > 0)) return {0, 0, 0};
+        const double area_m2 = area_of(body, own, glm::conjugate(orientation) * (air_mps / speed));
+        return air_mps * (0.5 * static_cast<double>(simulation_.description().air_density_kgpm3) *
+                          static_cast<double>(own.drag.coefficient) * area_m2 * speed);
+    }
+
+    /// Falls to nothing right behind what stands upwind.
+    double share_of_wind(physics::BodyId body, const Vec3& center) const {
+        const Vec3 upwind = -simulation_.description().wind->direction;
+        const auto hit = physics::cast_ray(simulation_.physics,
+                                           center,
+                                           center + upwind * static_cast<Real>(kLee_m),
+                                           {.ignored = body});
+        if (!hit || simulation_.physics.state(hit->body).kind != physics::BodyKind::Static)
+            return 1;
+        return static_cast<double>(hit->distance_m) / kLee_m;
+    }
+
+    scene::Fidelity fidelity_;
+    double time_s_{0};
+    bool blows_{false};
+};
+
+Callers callers_of_drag(const scene::Simulation& simulation) {
+    if (!simulation.switches.is_on("drag", true)) return {};
+    return entities_with<scene::Drag>(simulation);
+}
+
+}  // namespace
+
+EffectRow drag() {
+    return with_effect<AirDrag>({.called_for_by = &callers_of_drag});
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,125 @@
+// An effect that is a force field: steps ask it for as long as it lives.
+#pragma once
+
+#include "engine/core/time/stopwatch.h"
+#include "engine/effects/effect.h"
+#include "engine/physics/force_field.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::effects {
+
+/// The bodies that a field acts on, each with what the field keeps of it. Found by id without a search.
+template <class T>
+class Receivers {
+public:
+    struct Entry {
+        physics::BodyId body{};
+        T own{};
+    };
+
+    void clear() {
+        entries_.clear();
+        number_.assign(number_.size(), kNone);
+    }
+    void add(physics::BodyId body, T own) {
+        if (number_.size() <= body.index) number_.resize(body.index + 1, kNone);
+        number_[body.index] = entries_.size();
+        entries_.push_back({body, std::move(own)});
+    }
+    /// Null where it is none of them.
+    Entry* find(physics::BodyId body) {
+        const std::size_t at = place_of(body);
+        return at == kNone ? nullptr : &entries_[at];
+    }
+    bool has(physics::BodyId body) const { return place_of(body) != kNone; }
+    std::size_t number_of(const Entry& entry) const {
+        return static_cast<std::size_t>(&entry - entries_.data());
+    }
+    std::vector<Entry>& all() { return entries_; }
+    const std::vector<Entry>& all() const { return entries_; }
+
+private:
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    std::size_t place_of(physics::BodyId body) const {
+        if (body.index >= number_.size() || number_[body.index] == kNone) return kNone;
+        const std::size_t at = number_[body.index];
+        return entries_[at].body == body ? at : kNone;
+    }
+
+    std::vector<Entry> entries_;
+    std::vector<std::size_t> number_;  ///< by the index of the body's id
+};
+
+/// Keeps its receivers up to date, counts what the steps ask it and wakes its receivers when it goes.
+template <class T>
+class FieldEffect : public Effect, public physics::ForceField {
+public:
+    FieldEffect(scene::Simulation& simulation, std::string_view name)
+        : simulation_(simulation), name_(name) {
+        simulation.force_fields.add(name_, *this);
+    }
+    ~FieldEffect() override {
+        simulation_.force_fields.remove(name_);
+        for (const auto& entry : receivers_.all()) {
+            if (simulation_.physics.contains(entry.body)) simulation_.physics.wake(entry.body);
+        }
+    }
+    FieldEffect(const FieldEffect&) = delete;
+    FieldEffect& operator=(const FieldEffect&) = delete;
+
+    bool acts_on(physics::BodyId body) const override { return receivers_.has(body); }
+
+    void before_step(scene::Simulation& simulation) override {
+        if (listed_revision_ != simulation.revision()) {
+            listed_revision_ = simulation.revision();
+            receivers_.clear();
+            list_receivers();
+        }
+        prepare();
+    }
+
+    void act(std::span<physics::BodyInField* const> bodies, const physics::FieldTime& time) final {
+        lap_.start();
+        push(bodies, time);
+        work_.calls += bodies.size();
+        work_.cpu_ms += lap_.lap_ms();
+    }
+
+    std::uint64_t bytes_held() const override {
+        return receivers_.all().capacity() * sizeof(typename Receivers<T>::Entry);
+    }
+
+protected:
+    /// Fills receivers_.
+    virtual void list_receivers() = 0;
+    /// Before each step: wakes what rests and should not any more.
+    virtual void prepare() {}
+    /// As ForceField::act.
+    virtual void push(std::span<physics::BodyInField* const> bodies,
+                      const physics::FieldTime& time) = 0;
+
+    scene::Simulation& simulation_;
+    Receivers<T> receivers_;
+
+private:
+    std::string name_;
+    std::uint64_t listed_revision_{~std::uint64_t{0}};
+    LapTimer lap_;
+};
+
+/// Calls fn(body, component) for each dynamic body that has the component, in the order of entities.
+template <class Component, class Fn>
+void each_dynamic_body(scene::Simulation& simulation, Fn&& fn) {
+    simulation.registry.view<const Component, const scene::BodyRef>().each(
+        [&](ecs::Entity, const Component& component, const scene::BodyRef& ref) {
+            if (simulation.physics.state(ref.body).kind == physics::BodyKind::Dynamic)
+                fn(ref.body, component);
+        });
+}
+
+}  // namespace plumbline::effects

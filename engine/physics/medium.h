@@ -1,0 +1,28 @@
+// How a body lies in air or water: for force fields.
+#pragma once
+
+#include "engine/physics/body.h"
+#include "engine/physics/collision/submersion.h"
+
+namespace plumbline::physics {
+
+class PhysicsWorld;
+
+/// m2: how large it looks along the unit `direction`, in the frame of its principal axes (silhouette.h).
+double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& direction_mass);
+
+/// What of it lies below a level when its mass frame is there. `direction`: unit, world.
+Submersion submersion(const PhysicsWorld& world,
+                      BodyId id,
+                      const Vec3d& center_m,
+                      const Quatd& world_from_mass,
+                      double level_m,
+                      const Vec3d& direction);
+
+/// The principal axes of inertia, as seen from the body's frame.
+Quatd mass_from_body(const PhysicsWorld& world, BodyId id);
+
+/// Half the size of the box along its principal axes round it, from its centre of mass.
+Vec3d half_extent_m(const PhysicsWorld& world, BodyId id);
+
+}  // namespace plumbline::physics

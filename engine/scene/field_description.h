@@ -1,0 +1,70 @@
+// What a scene file says of forces that bodies feel, as plain data in SI units and radians.
+#pragma once
+
+#include "engine/core/math.h"
+#include "engine/core/text/source_location.h"
+#include "engine/scene/screen_effects_description.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// `drag` of a body: how air pushes it. Also a component.
+struct Drag {
+    Real coefficient{0.47_r};
+    Real area_m2{0};    ///< 0: the shape's silhouette along the stream
+    Real spin_lift{0};  ///< k of the Magnus force 0.5 rho k area r (w x v), r = sqrt(area / pi)
+};
+
+/// `magnet` of a body: a dipole at the centre of mass. Also a component.
+struct Magnet {
+    Vec3 moment_Am2{0, 0, 0};  ///< body frame
+};
+
+/// `[[wind_zone]]`: inside the box the air has this velocity on top of the wind's.
+struct WindZone {
+    Vec3 min_m{0, 0, 0};
+    Vec3 max_m{0, 0, 0};
+    Vec3 velocity_mps{0, 0, 0};
+    SourceLocation location{};
+};
+
+enum class WaterSurface : std::uint8_t { Flat, Waves };
+
+/// `[[water]]`: a box of water.
+struct WaterDescription {
+    std::string name;
+    Vec3 min_m{0, 0, 0};
+    Vec3 max_m{0, 0, 0};  ///< y: the level
+    Real density_kgpm3{1000};
+    WaterSurface surface{WaterSurface::Flat};
+    Real drag{1};  ///< times all that resists motion in it; 0: buoyancy alone
+    Vec3 flow_mps{0, 0, 0};
+    std::vector<Vec2> probes_m;  ///< world x and z
+    SourceLocation location{};
+};
+
+/// `[[explosion]]`.
+struct ExplosionDescription {
+    std::optional<double> at_s{};  ///< none: nobody sets it off by time
+    Vec3 position_m{0, 0, 0};
+    Real impulse_Ns{1000};  ///< over the whole sphere
+    Real reach_m{30};       ///< to a body's surface
+    SourceLocation location{};
+};
+
+/// [effects.NAME] fidelity.
+struct FieldFidelity {
+    Fidelity wind{Fidelity::Balanced};
+    Fidelity drag{Fidelity::Balanced};
+    Fidelity buoyancy{Fidelity::Balanced};
+    Fidelity water{Fidelity::Balanced};
+    Fidelity explosion{Fidelity::Balanced};
+    Fidelity conveyor{Fidelity::Balanced};
+    Fidelity magnets{Fidelity::Balanced};
+};
+
+}  // namespace plumbline::scene

@@ -1,0 +1,124 @@
+// Forces that bodies feel: keys of [entity.body], [world], [[wind_zone]], [[water]] and [[explosion]].
+#include "engine/core/limits.h"
+#include "engine/scene/sections/scene_parts.h"
+
+#include <algorithm>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr std::size_t kZones = 64;
+constexpr std::size_t kWaters = 16;
+constexpr std::size_t kExplosions = 256;
+constexpr std::size_t kProbes = 64;
+
+void read_drag(TableReader& table, Drag& drag) {
+    table.read("coefficient", drag.coefficient, {0, 100, "a coefficient from 0 to 100"});
+    table.read("area_m2", drag.area_m2, {1e-8, 1e6, "an area from 1e-8 to 1000000 m2"});
+    table.read("spin_lift", drag.spin_lift, {-100, 100, "a coefficient from -100 to 100"});
+}
+
+void read_magnet(TableReader& table, Magnet& magnet) {
+    table.require("moment_Am2", "[x, y, z] in A m2");
+    table.read("moment_Am2", magnet.moment_Am2, {-1e6, 1e6, "A m2 from -1000000 to 1000000"});
+}
+
+/// The box from min_m to max_m, both of which are needed.
+template <class T>
+void read_box(TableReader& table, T& box) {
+    table.require("min_m", "[x, y, z] in m");
+    table.require("max_m", "[x, y, z] in m");
+    table.read("min_m", box.min_m, kCoordinate_m);
+    table.read("max_m", box.max_m, kCoordinate_m);
+    if (glm::any(glm::greaterThanEqual(box.min_m, box.max_m)))
+        table.error("max_m", "is not above min_m along every axis");
+}
+
+void read_wind_zone(TableReader& table, WindZone& zone) {
+    read_box(table, zone);
+    table.require("velocity_mps", "[x, y, z] in m/s");
+    table.read("velocity_mps", zone.velocity_mps, kSpeed_mps);
+}
+
+void read_probes(TableReader& table, std::vector<Vec2>& probes) {
+    const TomlNode* node = table.find("probes_m");
+    if (node == nullptr) return;
+    const TomlArray* places = node->array();
+    if (places == nullptr || places->size() > kProbes)
+        return table.error("probes_m", "expected up to {} places [x, z] in m", kProbes);
+    for (const TomlNode& place : *places) {
+        const TomlArray* pair = place.array();
+        if (pair == nullptr || pair->size() != 2)
+            return table.error("probes_m", "expected [x, z] in m for each place");
+        Vec2 at{0, 0};
+        for (int axis = 0; axis < 2; ++axis) {
+            const auto number = number_of((*pair)[static_cast<std::size_t>(axis)],
+                                          table.path_of("probes_m"),
+                                          kCoordinate_m,
+                                          table.faults());
+            at[axis] = static_cast<Real>(number.value_or(0));
+        }
+        probes.push_back(at);
+    }
+}
+
+void read_water(TableReader& table, WaterDescription& water) {
+    table.read("name", water.name);
+    read_box(table, water);
+    table.read("density_kgpm3", water.density_kgpm3, {1e-3, 1e5, "kg/m3 from 0.001 to 100000"});
+    table.read("drag", water.drag, {0, 1000, "a factor from 0 to 1000"});
+    table.read("flow_mps", water.flow_mps, kSpeed_mps);
+    table.read_choice("surface", water.surface, {"flat", "waves"});
+    read_probes(table, water.probes_m);
+}
+
+void read_explosion(TableReader& table, ExplosionDescription& explosion) {
+    table.read("at_s", explosion.at_s, {0, 1e6, "a time from 0 to 1000000 s"});
+    table.require("position_m", "[x, y, z] in m");
+    table.read("position_m", explosion.position_m, kCoordinate_m);
+    table.read("impulse_Ns", explosion.impulse_Ns, {0, 1e9, "N s from 0 to 1e9"});
+    table.read("reach_m", explosion.reach_m, {1e-3, 1e4, "a length from 0.001 to 10000 m"});
+}
+
+template <class T>
+void read_up_to(std::size_t most,
+                TableReader& root,
+                std::string_view key,
+                std::vector<T>& values,
+                void (*read)(TableReader&, T&)) {
+    const std::size_t count = root.tables(key).size();
+    if (count > most) return root.error(key, "{} of them; at most {} are kept", count, most);
+    root.read_tables(key, values, read);
+}
+
+}  // namespace
+
+void read_body_fields(TableReader& table, BodyDescription& body) {
+    table.read_table("drag", body.drag, read_drag);
+    table.read_table("magnet", body.magnet, read_magnet);
+    if (body.drag && body.kind != physics::BodyKind::Dynamic) {
+        table.warning("drag", "only dynamic bodies are moved by the air; ignored");
+        body.drag.reset();
+    }
+    table.read("surface_velocity_mps", body.surface_velocity_mps, kSpeed_mps);
+    table.read_degrees("surface_spin_degps",
+                       body.surface_spin_radps,
+                       {-1e6, 1e6, "degrees a second from -1000000 to 1000000"});
+    if (body.kind != physics::BodyKind::Dynamic) return;
+    for (const char* key : {"surface_velocity_mps", "surface_spin_degps"}) {
+        if (table.has(key))
+            table.warning(key, "only static and kinematic bodies are belts; ignored");
+    }
+    body.surface_velocity_mps = body.surface_spin_radps = Vec3{0, 0, 0};
+}
+
+void read_fields(TableReader& root, SceneDescription& scene) {
+    read_up_to(kZones, root, "wind_zone", scene.wind_zones, read_wind_zone);
+    read_up_to(kWaters, root, "water", scene.waters, read_water);
+    read_up_to(kExplosions, root, "explosion", scene.explosions, read_explosion);
+    for (std::size_t i = 0; i < scene.waters.size(); ++i) {
+        if (scene.waters[i].name.empty()) scene.waters[i].name = fmt::format("water#{}", i + 1);
+    }
+}
+
+}  // namespace plumbline::scene
