@@ -70,6 +70,7 @@ struct EffectRow {
     ROW(sound_paths, Sound)         \
     ROW(room_reverb, Sound)         \
     ROW(drag, Step)                 \
+    ROW(buoyancy, Step)             \
     ROW(magnets, Step)              \
     ROW(conveyor, Step)             \
     ROW(continuous_collision, Step) \

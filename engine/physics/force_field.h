@@ -20,6 +20,7 @@ struct BodyInField {
     Vec3d center_m{0, 0, 0};            ///< of mass
     Quatd world_from_mass{1, 0, 0, 0};  ///< the principal axes of inertia
     Vec3d velocity_mps{0, 0, 0};        ///< of the centre of mass
+    Vec3d gain_mps{0, 0, 0};            ///< what all else changes it by in the sub-step
     Vec3d spin_radps{0, 0, 0};
     double mass_kg{0};            ///< with what moves along (ForceField::added_mass_kg)
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal

@@ -12,10 +12,10 @@ class PhysicsWorld;
 
 struct Energy {
     double kinetic_J{0};
-    /// m*g*h above the plane through the origin, against gravity, and what springs hold.
-    double potential_J{0};
+    double potential_J{0};  ///< m*g*h above the plane through the origin, against gravity
+    double elastic_J{0};    ///< what springs hold
 
-    double total_J() const { return kinetic_J + potential_J; }
+    double total_J() const { return kinetic_J + potential_J + elastic_J; }
 };
 
 std::size_t body_count(const PhysicsWorld& world);

@@ -121,6 +121,11 @@ public:
         list();
     }
     std::span<physics::ForceField* const> all() const { return list_; }
+    /// Of the one with this name; 0 where there is none.
+    double energy_J(std::string_view name) const {
+        const auto found = fields_.find(name);
+        return found == fields_.end() ? 0 : found->second->energy_J();
+    }
 
 private:
     void list() {

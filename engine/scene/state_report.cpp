@@ -18,6 +18,9 @@ void add_totals(JsonText& json, const Simulation& simulation) {
     json.key("energy_J").begin_object();
     json.key("kinetic").number(energy.kinetic_J);
     json.key("potential").number(energy.potential_J);
+    json.key("elastic").number(energy.elastic_J);
+    json.key("water").number(simulation.force_fields.energy_J("buoyancy"));
+    json.key("magnetic").number(simulation.force_fields.energy_J("magnets"));
     json.end_object();
     json.key("momentum_kgmps").vector(momentum_kgmps(simulation.physics));
     json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps(simulation.physics));
@@ -37,6 +40,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
         json.key("orientation").begin_array();
         json.number(q.w).number(q.x).number(q.y).number(q.z);
         json.end_array();
+        json.key("mass_kg").number(state.mass.mass_kg);
         json.key("velocity_mps").vector(state.velocity_mps);
         json.key("angular_velocity_radps").vector(state.angular_velocity_radps);
         json.key("awake").boolean(state.awake);
@@ -69,6 +73,26 @@ void add_joints(JsonText& json, const Simulation& simulation) {
         json.key("torque_Nm").number(state.torque_Nm);
         json.key("position").number(state.position);
         json.key("broken").boolean(state.broken);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+/// Of level water: it neither rises nor has waves.
+void add_waters(JsonText& json, const Simulation& simulation) {
+    json.key("waters").begin_array();
+    for (const WaterDescription& water : simulation.description().waters) {
+        const Vec3d size_m(water.max_m - water.min_m);
+        json.begin_object();
+        json.key("name").text(water.name);
+        json.key("volume_m3").number(size_m.x * size_m.y * size_m.z);
+        json.key("level_m").begin_object();
+        for (const char* which : {"min", "mean", "max"}) json.key(which).number(water.max_m.y);
+        json.end_object();
+        json.key("energy_J").number(0.0);
+        json.key("probes_m").begin_array();
+        for (std::size_t i = 0; i < water.probes_m.size(); ++i) json.number(water.max_m.y);
+        json.end_array();
         json.end_object();
     }
     json.end_array();
@@ -185,6 +209,7 @@ std::string state_json(const Simulation& simulation,
     add_contacts(json, simulation);
     add_joints(json, simulation);
     add_islands(json, simulation);
+    add_waters(json, simulation);
     json.key("cost");
     add_cost(json, costs);
     json.key("effects").raw(effects_json);

@@ -39,6 +39,7 @@ public:
 
 private:
     void list_receivers() override {
+        receivers_.clear();
         each_dynamic_body<scene::Drag>(
             simulation_, [this](physics::BodyId body, const scene::Drag& drag) {
                 const auto mass_kg =

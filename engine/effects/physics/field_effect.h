@@ -5,6 +5,8 @@
 #include "engine/effects/effect.h"
 #include "engine/physics/force_field.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -35,10 +37,11 @@ public:
         const std::size_t at = place_of(body);
         return at == kNone ? nullptr : &entries_[at];
     }
-    bool has(physics::BodyId body) const { return place_of(body) != kNone; }
-    std::size_t number_of(const Entry& entry) const {
-        return static_cast<std::size_t>(&entry - entries_.data());
+    const Entry* find(physics::BodyId body) const {
+        const std::size_t at = place_of(body);
+        return at == kNone ? nullptr : &entries_[at];
     }
+    bool has(physics::BodyId body) const { return place_of(body) != kNone; }
     std::vector<Entry>& all() { return entries_; }
     const std::vector<Entry>& all() const { return entries_; }
 
@@ -54,6 +57,15 @@ private:
     std::vector<Entry> entries_;
     std::vector<std::size_t> number_;  ///< by the index of the body's id
 };
+
+/// What a force that is stiff in position gives in a sub-step, as a share of what it gives in the middle: a spring swings at its
+/// own frequency for every h up to half a period, and beyond does not grow (Gautschi 1961: (sin(w h / 2) / (w h / 2))^2).
+inline double stiff_share(double stiffness, double inertia, double h) {
+    const double half_rad = 0.5 * std::sqrt(stiffness / inertia) * h;
+    if (half_rad < 1e-4) return 1;
+    const double sine = portable_sin(std::min(half_rad, static_cast<double>(kPi) / 2));
+    return sine * sine / (half_rad * half_rad);
+}
 
 /// Keeps its receivers up to date, counts what the steps ask it and wakes its receivers when it goes.
 template <class T>
@@ -75,11 +87,7 @@ public:
     bool acts_on(physics::BodyId body) const override { return receivers_.has(body); }
 
     void before_step(scene::Simulation& simulation) override {
-        if (listed_revision_ != simulation.revision()) {
-            listed_revision_ = simulation.revision();
-            receivers_.clear();
-            list_receivers();
-        }
+        if (listed_revision_ != simulation.revision()) list_now();
         prepare();
     }
 
@@ -95,7 +103,12 @@ public:
     }
 
 protected:
-    /// Fills receivers_.
+    /// For constructors of what may be asked before the first step.
+    void list_now() {
+        listed_revision_ = simulation_.revision();
+        list_receivers();
+    }
+    /// Fills receivers_ anew.
     virtual void list_receivers() = 0;
     /// Before each step: wakes what rests and should not any more.
     virtual void prepare() {}

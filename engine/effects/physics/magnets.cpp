@@ -70,13 +70,16 @@ Pull pull_between(const Placed& a, const Placed& b, double softening_m) {
     pull.torque_on_b_Nm = glm::cross(mb, field_at_b);
     const double moments = glm::length(ma) * glm::length(mb);
     pull.torque_stiffness_Nm = 2 * kMu0Over4Pi * moments / q3;
-    pull.stiffness_Npm = 24 * kMu0Over4Pi * moments / q5;
+    pull.stiffness_Npm = 6 * kMu0Over4Pi * moments / q5;
     return pull;
 }
 
 class Magnets final : public FieldEffect<Dipole> {
 public:
-    explicit Magnets(scene::Simulation& simulation) : FieldEffect(simulation, "magnets") {}
+    explicit Magnets(scene::Simulation& simulation) : FieldEffect(simulation, "magnets") {
+        list_now();
+        prepare();
+    }
 
     int substeps() const override {
         return by_fidelity(simulation_.description().field_fidelity.magnets, std::array{1, 4, 16});
@@ -114,6 +117,7 @@ private:
     using Entry = Receivers<Dipole>::Entry;
 
     void list_receivers() override {
+        receivers_.clear();
         simulation_.registry.view<const scene::Magnet, const scene::BodyRef>().each(
             [this](ecs::Entity, const scene::Magnet& magnet, const scene::BodyRef& ref) {
                 const physics::BodyState state = simulation_.physics.state(ref.body);
@@ -215,38 +219,40 @@ private:
             const double stiffness_Nm = glm::length(moment) * glm::length(field_T);
             body->angular_impulse_Nms +=
                 glm::cross(moment, field_T) *
-                (time.h_s * eased(stiffness_Nm, least_inertia(*body), time.h_s));
+                (time.h_s * stiff_share(stiffness_Nm, least_inertia(*body), time.h_s));
         }
         for (BodyInField* body : bodies) receivers_.find(body->id)->own.in_call = nullptr;
     }
 
-    /// What a stiff force gives in a sub-step by the implicit midpoint rule, as a share of what it gives at the middle that the
-    /// velocity before leads to: 1 / (1 + k h2 / (4 m)).
-    static double eased(double stiffness, double inertia, double h) {
-        return 1 / (1 + stiffness * h * h / (4 * inertia));
-    }
     static double least_inertia(const BodyInField& body) {
         return std::min({body.inertia_kgm2.x, body.inertia_kgm2.y, body.inertia_kgm2.z});
     }
 
-    /// One share for all of the pair's impulses: so they still sum to no momentum and no angular momentum.
+    /// What turns them and what pushes them across are stiff where they touch, and take one share: so the pair's impulses
+    /// still sum to no angular momentum. What pulls them together is not: contacts hold it.
     void push_pair(const Entry& first, const Entry& second, double softening_m, double h) const {
-        const Pull pull = pull_between(placed(first), placed(second), softening_m);
+        const Placed a_placed = placed(first);
+        const Placed b_placed = placed(second);
+        const Pull pull = pull_between(a_placed, b_placed, softening_m);
         double share = 1;
         double inverse_mass = 0;
         for (const Entry* entry : {&first, &second}) {
             if (entry->own.in_call == nullptr) continue;
             const BodyInField& body = *entry->own.in_call;
             inverse_mass += 1 / body.mass_kg;
-            share = std::min(share, eased(pull.torque_stiffness_Nm, least_inertia(body), h));
+            share = std::min(share, stiff_share(pull.torque_stiffness_Nm, least_inertia(body), h));
         }
-        share = std::min(share, eased(pull.stiffness_Npm, 1 / inverse_mass, h));
+        share = std::min(share, stiff_share(pull.stiffness_Npm, 1 / inverse_mass, h));
+        const Vec3d apart = b_placed.at_m - a_placed.at_m;
+        const Vec3d along = apart / std::max(glm::length(apart), 1e-12);
+        const Vec3d pulling_N = along * glm::dot(along, pull.force_on_b_N);
+        const Vec3d force_N = pulling_N + (pull.force_on_b_N - pulling_N) * share;
         if (BodyInField* a = first.own.in_call) {
-            a->impulse_Ns -= pull.force_on_b_N * (h * share);
+            a->impulse_Ns -= force_N * h;
             a->angular_impulse_Nms += pull.torque_on_a_Nm * (h * share);
         }
         if (BodyInField* b = second.own.in_call) {
-            b->impulse_Ns += pull.force_on_b_N * (h * share);
+            b->impulse_Ns += force_N * h;
             b->angular_impulse_Nms += pull.torque_on_b_Nm * (h * share);
         }
     }

@@ -1,6 +1,7 @@
 #include "engine/physics/collision/submersion.h"
 
 #include "engine/physics/collision/shape/hull_geometry.h"
+#include "engine/physics/collision/silhouette.h"
 
 #include <algorithm>
 #include <array>
@@ -146,21 +147,24 @@ Segment segment_below(double radius, double height) {
             2.0 / 3.0 * chord * chord * chord};
 }
 
-/// Places along the axis where the water begins or ceases to cut the discs.
+/// Places along the axis where the water begins or ceases to cut the discs: (height + slope s)^2 = radius^2, about the place
+/// where the water cuts the axis, if it does so steeply: there the discs' height is all that decides.
 void add_breaks(const Profile& profile, double slope, double height, std::vector<double>& breaks) {
-    // (height + slope s)^2 = radius^2
-    const double a = slope * slope - profile.radius2[2];
-    const double b = 2 * slope * height - profile.radius2[1];
-    const double c = height * height - profile.radius2[0];
+    const double base = std::abs(slope) > 1 ? -height / slope : 0;
+    const double there = height + slope * base;
+    const auto& [r0, r1, r2] = profile.radius2;
+    const double a = slope * slope - r2;
+    const double b = 2 * slope * there - (r1 + 2 * r2 * base);
+    const double c = there * there - (r0 + base * (r1 + base * r2));
     const double root = b * b - 4 * a * c;
     const auto keep = [&](double s) {
         if (s > profile.from && s < profile.to) breaks.push_back(s);
     };
     if (std::abs(a) < 1e-12) {
-        if (std::abs(b) > 1e-12) keep(-c / b);
+        if (std::abs(b) > 1e-12) keep(base - c / b);
     } else if (root >= 0) {
-        keep((-b - std::sqrt(root)) / (2 * a));
-        keep((-b + std::sqrt(root)) / (2 * a));
+        keep(base + (-b - std::sqrt(root)) / (2 * a));
+        keep(base + (-b + std::sqrt(root)) / (2 * a));
     }
 }
 
@@ -168,10 +172,10 @@ void add_round(Below& below, const Placed& placed, const ConvexShape& shape) {
     const Vec3d axis = placed.axes[1];
     const double lean = std::sqrt(std::max(1 - axis.y * axis.y, 0.0));
     // Down the discs' steepest line, in their plane.
-    const Vec3d down = lean > 1e-9 ? (axis * axis.y - Vec3d{0, 1, 0}) / lean : Vec3d{0, 0, 0};
+    const Vec3d down = lean > 1e-7 ? (axis * axis.y - Vec3d{0, 1, 0}) / lean : Vec3d{0, 0, 0};
     for (const Profile& profile : profiles_of(shape)) {
         std::vector<double> breaks{profile.from, profile.to};
-        const double steep = std::max(lean, 1e-9);
+        const double steep = std::max(lean, 1e-7);
         add_breaks(profile, axis.y / steep, placed.center_m.y / steep, breaks);
         std::ranges::sort(breaks);
         for (std::size_t i = 1; i < breaks.size(); ++i) {
@@ -202,14 +206,17 @@ void add_sphere(Below& below, const Placed& placed, double r) {
 
 /// The surface of a round shape as facets: for areas only.
 Below round_surface(const Placed& placed, const ConvexShape& shape, const Vec3d& direction) {
+    // As large as the circle that a ring stands for.
+    const double step_rad = 2 * kPi_rad / kSides;
+    const double wider = std::sqrt(step_rad / portable_sin(step_rad));
     std::vector<std::array<double, 2>> rings;  // height along the axis and radius
     for (const Profile& profile : profiles_of(shape)) {
-        const int steps = profile.radius2[2] < 0 ? 6 : 1;
+        const int steps = profile.radius2[2] < 0 ? 8 : 1;
         for (int i = 0; i <= steps; ++i) {
             // Closer together towards the poles.
             const double share = 0.5 - 0.5 * portable_cos(kPi_rad * i / steps);
             const double s = profile.from + (profile.to - profile.from) * share;
-            rings.push_back({s, profile.radius_at(s)});
+            rings.push_back({s, profile.radius_at(s) * wider});
         }
     }
     const auto at = [&](const std::array<double, 2>& ring, int side) {
@@ -305,11 +312,17 @@ Submersion submersion(const BodyGeometry& geometry,
         const Placed placed{center_m - origin + axes * Vec3d(part.mass_from_part.position_m),
                             axes * glm::dmat3(part.mass_from_part.rotation)};
         const Below below = part_below(part.shape, placed, direction);
-        sum.whole_m3 += volume_m3(part.shape);
+        const double whole_m3 = volume_m3(part.shape);
+        sum.whole_m3 += whole_m3;
         sum.volume_m3 += below.volume_m3;
         moment += below.moment;
-        const double lid_m2 = glm::length(below.open_m2);
-        sum.waterline_m2 += lid_m2;
+        const bool is_under = below.volume_m3 > whole_m3 * (1 - 1e-6);
+        if (is_under) {
+            sum.silhouette_m2 +=
+                physics::silhouette_m2(part.shape, glm::transpose(placed.axes) * direction);
+            continue;
+        }
+        sum.waterline_m2 += glm::length(below.open_m2);
         sum.silhouette_m2 += (below.facing_m2 + std::abs(glm::dot(below.open_m2, direction))) / 2;
     }
     if (sum.volume_m3 > 0) sum.center_m = origin + moment / sum.volume_m3;

@@ -21,6 +21,7 @@ BodyInField in_the_middle(const SolverBody& body, BodyId id, double h) {
             .center_m = body.start_position_m + Vec3d(body.delta_position_m) + v * (h / 2),
             .world_from_mass = glm::normalize(turn_by(spin, h / 2) * now),
             .velocity_mps = v + 0.5 * Vec3d(body.velocity_increment_mps),
+            .gain_mps = Vec3d(body.velocity_increment_mps),
             .spin_radps = spin + 0.5 * Vec3d(body.spin_increment_radps),
             .mass_kg = body.mass_kg(),
             .inertia_kgm2 = body.inertia_kgm2};
@@ -53,7 +54,9 @@ void act_on_all(std::span<ForceField* const> fields,
         fields[field]->act(acted_on, time);
         for (std::size_t i = 0; i < acted_on.size(); ++i) {
             BodyInField& body = *acted_on[i];
-            body.velocity_mps += (body.impulse_Ns - before[i].impulse_Ns) / (2 * body.mass_kg);
+            const Vec3d gain_mps = (body.impulse_Ns - before[i].impulse_Ns) / body.mass_kg;
+            body.gain_mps += gain_mps;
+            body.velocity_mps += 0.5 * gain_mps;
             body.spin_radps +=
                 0.5 * spun_up_by(body, body.angular_impulse_Nms - before[i].angular_impulse_Nms);
         }
@@ -82,8 +85,8 @@ void FieldForces::push(std::span<SolverBody> bodies, const FieldTime& time) {
     for (const Member& member : members_) {
         SolverBody& body = bodies[member.body];
         body.velocity_increment_mps += Vec3(member.state.impulse_Ns / member.state.mass_kg);
-        body.spin_increment_radps +=
-            Vec3(spun_up_by(member.state, member.state.angular_impulse_Nms));
+        body.field_gain_radps = Vec3(spun_up_by(member.state, member.state.angular_impulse_Nms));
+        body.spin_increment_radps += body.field_gain_radps;
     }
 }
 

@@ -71,11 +71,13 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
         body.delta_rotation = glm::normalize(turn_by(mean, h) * body.delta_rotation);
         return;
     }
+    // What fields change the spin by, they do before and after the free turn by half: else what swings in one would be damped.
+    const Vec3d half_gain = 0.5 * Vec3d(body.field_gain_radps);
     const FreeTurn start{Quatd(body.delta_rotation) * body.start_orientation,
-                         Vec3d(body.spin_radps)};
+                         Vec3d(body.spin_radps) - half_gain};
     const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h));
     body.delta_rotation = Quat(end.orientation * glm::conjugate(body.start_orientation));
-    body.spin_radps = Vec3(end.spin_radps);
+    body.spin_radps = Vec3(end.spin_radps + half_gain);
 }
 
 /// Forces that act all through the sub-step move a body by half of what their speed would: flight

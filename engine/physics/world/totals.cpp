@@ -37,7 +37,7 @@ Energy energy(const PhysicsWorld& world) {
                          0.5 * glm::dot(record->traits.inertia_kgm2, spin * spin);
         sum.potential_J -= record->traits.mass_kg * glm::dot(gravity, Vec3d{at.position_m});
     });
-    sum.potential_J += elastic_energy_J(internals(world).joints);
+    sum.elastic_J = elastic_energy_J(internals(world).joints);
     return sum;
 }
 

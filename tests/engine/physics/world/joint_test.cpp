@@ -280,7 +280,7 @@ TEST_P(Joints, ASpringBetweenTwoSwingsWithTheReducedMass) {
                                  .anchor_a_world = {0, 1.1_r, 0},
                                  .stiffness_Npm = 40,
                                  .rest_length_m = 1});
-    EXPECT_NEAR(energy(test.world).potential_J, 0.5 * 40 * 0.01, 1e-6);
+    EXPECT_NEAR(energy(test.world).elastic_J, 0.5 * 40 * 0.01, 1e-6);
     const auto times_s = upward_crossings_s(test, 10, [&] { return position(test, spring) - 1; });
     const double expected_s = 2 * kPiD * std::sqrt((2.0 / 3) / 40);
     EXPECT_NEAR(period_of(times_s), expected_s, expected_s * bar().spring_period);
