@@ -69,6 +69,7 @@ struct EffectRow {
     ROW(wind_sound, Sound)          \
     ROW(sound_paths, Sound)         \
     ROW(room_reverb, Sound)         \
+    ROW(explosion, Step)            \
     ROW(drag, Step)                 \
     ROW(buoyancy, Step)             \
     ROW(magnets, Step)              \

@@ -22,6 +22,9 @@ Submersion submersion(const PhysicsWorld& world,
 /// The principal axes of inertia, as seen from the body's frame.
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id);
 
+/// Of a ball round the centre of mass that holds all of it; of a ball, its own.
+double radius_m(const PhysicsWorld& world, BodyId id);
+
 /// Half the size of the box along its principal axes round it, from its centre of mass.
 Vec3d half_extent_m(const PhysicsWorld& world, BodyId id);
 

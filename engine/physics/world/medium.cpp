@@ -1,9 +1,42 @@
 #include "engine/physics/medium.h"
 
+#include "engine/physics/collision/shape/hull_geometry.h"
 #include "engine/physics/collision/silhouette.h"
 #include "engine/physics/world/world_state.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumbline::physics {
+namespace {
+
+/// Of the farthest point from the shape's origin.
+double reach_m(const ConvexShape& shape) {
+    const auto r = static_cast<double>(shape.radius_m);
+    const auto half = static_cast<double>(shape.half_height_m);
+    switch (shape.kind) {
+        case ConvexShape::Kind::None:
+            return 0;
+        case ConvexShape::Kind::Sphere:
+            return r;
+        case ConvexShape::Kind::Capsule:
+            return half + r;
+        case ConvexShape::Kind::Box:
+            return glm::length(Vec3d(shape.half_m));
+        case ConvexShape::Kind::Cylinder:
+        case ConvexShape::Kind::Cone:
+            return std::hypot(r, half);
+        case ConvexShape::Kind::Hull: {
+            double most = 0;
+            for (const Vec3d& corner : shape.hull->corners_m)
+                most = std::max(most, glm::length(corner));
+            return most;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
 
 double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& direction_mass) {
     return silhouette_m2(*internals(world).body(id).traits.geometry, direction_mass);
@@ -21,6 +54,15 @@ Submersion submersion(const PhysicsWorld& world,
 
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id) {
     return glm::conjugate(Quatd(internals(world).body(id).traits.body_from_mass.orientation));
+}
+
+double radius_m(const PhysicsWorld& world, BodyId id) {
+    double radius = 0;
+    for (const GeometryPart& part : internals(world).body(id).traits.geometry->parts) {
+        const double away = glm::length(Vec3d(part.mass_from_part.position_m));
+        radius = std::max(radius, away + reach_m(part.shape));
+    }
+    return radius;
 }
 
 Vec3d half_extent_m(const PhysicsWorld& world, BodyId id) {
