@@ -96,6 +96,13 @@ function overviewHtml(subjects, isNarrow) {
     `<h2 id="contents">Subjects</h2>\n` + table(["subject", "tier", "in one line"], contents, "wide tall");
 }
 
+function referencesHtml(references) {
+  const above = references.filter(each => !(each.error <= each.tolerance)).length;
+  const advice = above === 0 ? `All ${references.length} measurements are within what is allowed.` : `${above} of ${references.length} measurements are above what is allowed.`;
+  return `<p class="advice">${esc(advice)}</p>\n` + referenceTable(references) +
+    `<p class="soft">Errors are relative to the closed form; the cost is CPU time of all steps for a simulated second of the reference's own scene.</p>\n`;
+}
+
 /** Everything below <body>. */
 function studyHtml(data, isNarrow) {
   const findings = data.findings;
@@ -104,6 +111,8 @@ function studyHtml(data, isNarrow) {
     ...(findings.effects ?? []).map((effects, i) => ({ id: `effects${i + 1}`, title: `What the effects of ${nameOf(effects.scene)} cost`, html: effectsHtml(effects) })),
     ...findings.subjects.map((subject, i) => ({ id: `s${i + 1}`, title: titleOf(subject), html: subjectHtml(subject, data, isNarrow) })),
   ];
+  if ((findings.references ?? []).length > 0)
+    parts.unshift({ id: "references", title: "Effects that bodies feel, against their references", html: referencesHtml(findings.references) });
   const isSingle = parts.length === 1;
   const title = isSingle ? parts[0].title : "What accuracy costs in time";
   let html = `<h1>${esc(title)}</h1>\n` + warningsHtml(findings);

@@ -126,6 +126,14 @@ function differenceText(difference) {
   return isTold ? `${numberText(difference.mean)} &#177; ${error}` : `below the noise (&#177; ${error})`;
 }
 
+/** References of effects: an error above what is allowed is red. */
+function referenceTable(references) {
+  const rows = references.map(each => row([words(esc(each.effect)), words(esc(each.reference)), words(esc(each.formula)), words(esc(each.fidelity)),
+    each.error <= each.tolerance ? number(errorText(each.error)) : `<td class="red">${errorText(each.error)}</td>`, number(errorText(each.tolerance)),
+    number(numberText(each.cpu_ms_per_s))]));
+  return table(["effect", "reference", "held to", "fidelity", "#error", "#allowed", "#CPU ms for 1 s"], rows);
+}
+
 function effectTable(effects) {
   const rows = effects.rows.map(each => row([words(esc(each.name)), words(esc(each.domain)), number(differenceText(each.step_ms)),
     number(differenceText(each.frame_ms)), number(each.calls), number(bytesText(each.bytes_cpu)), number(bytesText(each.bytes_gpu)), words(esc(each.caller))]));

@@ -8,6 +8,7 @@
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/scene_file.h"
+#include "engine/study/fields/field_study.h"
 #include "engine/study/findings/findings_json.h"
 #include "engine/study/machine.h"
 #include "engine/study/merged_findings.h"
@@ -254,6 +255,31 @@ ExitCode finish_study(const study::Findings& findings, const fs::path& folder) {
     return ExitCode::Interrupted;
 }
 
+/// The effects that bodies feel against their references, without a scene: findings.json is the list of them alone.
+ExitCode study_references(const StudyOptions& options) {
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    study::Findings findings = empty_findings(options);
+    {
+        using Shown = study::ProgressBar::Shown;
+        study::ProgressBar bar(options.quiet ? Shown::No : Shown::Yes);
+        findings.references =
+            study::measure_references([&bar](double share) { bar.show(share, 0); });
+    }
+    findings.complete = !interrupted();
+    std::cout << study::references_text(findings.references) << std::flush;
+    const Result<std::string> page = study::study_page(findings);
+    if (!page) return refuse(page.error());
+    const std::pair<const char*, std::string> files[] = {
+        {kJson, study::references_to_json(findings.references)}, {kReportPage, *page}};
+    for (const auto& [name, text] : files) {
+        if (const Result<Done> written = write_output(*folder / name, text); !written)
+            return refuse(written.error());
+    }
+    std::cout << printable((*folder / kReportPage).string()) << '\n';
+    return finish_study(findings, {});
+}
+
 /// Puts the shards' findings together and writes them as one run would.
 ExitCode merge_study(const StudyOptions& options) {
     const Result<std::vector<std::string>> texts = read_shards(options.merge, kJson);
@@ -307,7 +333,10 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     add_shard_options(*study, *out, options.shard, options.merge);
     study->add_flag("--quick", options.quick, "Two solvers and four step rates only");
     study->add_flag("--list", options.list, "List all scenarios");
-    study->add_flag("--effects", options.effects, "Measure the cost of each effect of a scene")
+    study
+        ->add_flag("--effects",
+                   options.effects,
+                   "Effects against their references, or what each effect of a scene costs")
         ->excludes("--shard", "--merge");
     study
         ->add_flag("--picture",
@@ -338,6 +367,7 @@ ExitCode run_study(const StudyOptions& options) {
     }
     if (!options.merge.empty()) return merge_study(options);
     const PollsInterrupts polls;
+    if (options.effects && options.cases.empty()) return study_references(options);
     if (options.effects) return study_each_scene("--effects", options, add_effects);
     if (options.image) return study_each_scene("--picture", options, add_image);
     const Result<Chosen> chosen = chosen_by(options);

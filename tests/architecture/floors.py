@@ -21,7 +21,7 @@ FLOORS = {
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
     "scene": ["environment", "formats", "paths", "sections", "json_scene", "build", "simulation"],
     "effects": ["light", "nature", "physics", "sound", "screen"],
-    "study": ["findings", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "gallery", "ghost",
+    "study": ["findings", "fields", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "gallery", "ghost",
               "scenes", "auto_preset"],
     "app": ["capture", "settings", "controls", "accuracy", "ui", "overlay", "frame"],
     "game": ["command_line", "rules", "offscreen", "commands"],

@@ -25,6 +25,7 @@ struct Afloat {
     double mass_kg{1};
     double added_kg{0};
     bool in_water{false};
+    bool followed{false};  ///< since the step before: what it had under water then is known
     double radius_m{0};
     Vec3d half_m{0, 0, 0};  ///< of the box along its principal axes
 };
@@ -75,7 +76,11 @@ private:
                 .half_m = physics::half_extent_m(simulation_.physics, moving.body)};
             if (drag != nullptr) own.coefficient = static_cast<double>(drag->coefficient);
             own.radius_m = glm::length(own.half_m);
-            if (before.has(moving.body)) own.added_kg = before.find(moving.body)->own.added_kg;
+            if (const auto* known = before.find(moving.body)) {
+                own.added_kg = known->own.added_kg;
+                own.in_water = known->own.in_water;
+                own.followed = known->own.followed;
+            }
             receivers_.add(moving.body, own);
         }
     }
@@ -101,13 +106,14 @@ private:
                 added_kg = static_cast<double>(water->drag) * kAddedShare * density_of(*water) *
                            below.volume_m3;
             }
-            if (added_kg > own.added_kg && state.pushable()) {
+            if (own.followed && added_kg > own.added_kg && state.pushable()) {
                 const double kept = (own.mass_kg + own.added_kg) / (own.mass_kg + added_kg);
                 const Vec3 against = state.velocity_mps - water->flow_mps;
                 simulation_.physics.apply_impulse(
                     moving.body, against * static_cast<Real>((kept - 1) * own.mass_kg));
             }
             own.added_kg = added_kg;
+            own.followed = true;
         }
     }
 
@@ -124,7 +130,8 @@ private:
                   const scene::WaterDescription& water,
                   double h) const {
         const Vec3d against = body.velocity_mps - Vec3d(water.flow_mps);
-        const Vec3d direction = normalize_or(against, kUp);
+        // Before weight and lift, which cancel, have given their halves.
+        const Vec3d direction = normalize_or(against - 0.5 * body.gain_mps, kUp);
         const Submersion below =
             below_of(water, body.id, body.center_m, body.world_from_mass, direction);
         if (!(below.volume_m3 > 0)) return;

@@ -30,6 +30,19 @@ struct EffectFindings {
     std::vector<EffectCost> rows{};
 };
 
+/// How far an effect is from what a reference says, at one fidelity.
+struct EffectError {
+    std::string effect{};
+    std::string reference{};
+    std::string formula{};
+    std::string fidelity{};  ///< "draft", "balanced", "precise"
+    double error{0};         ///< relative
+    double cpu_ms_per_s{0};  ///< CPU of all steps for a simulated second
+    double tolerance{0};     ///< that a test holds `error` to
+
+    bool is_within() const { return error <= tolerance; }
+};
+
 /// A table for people.
 std::string effects_text(const EffectFindings& findings);
 

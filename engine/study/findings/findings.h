@@ -131,6 +131,7 @@ struct Findings {
     std::vector<Subject> subjects;
     std::vector<ImageFindings> images;
     std::vector<EffectFindings> effects;
+    std::vector<EffectError> references;  ///< of effects
 };
 
 }  // namespace plumbline::study

@@ -43,6 +43,7 @@ void fields(const auto& field, Like<Findings> auto& findings) {
     field("subjects", findings.subjects);
     field("images", findings.images);
     field("effects", findings.effects);
+    field("references", findings.references);
     field("shard", findings.shard);
 }
 
@@ -72,6 +73,10 @@ std::string findings_to_json(const Findings& findings) {
     Json json = findings;
     json["sum"] = sum_of(json);
     return text_of(json, 1) + "\n";
+}
+
+std::string references_to_json(const std::vector<EffectError>& errors) {
+    return text_of(Json(errors), 1) + "\n";
 }
 
 Result<Findings> findings_from_json(const std::string& text) {

@@ -10,6 +10,8 @@
 namespace plumbline::study {
 
 std::string findings_to_json(const Findings& findings);
+/// A JSON array with an object for each reference at each fidelity (docs/SCENE-FORMAT.md).
+std::string references_to_json(const std::vector<EffectError>& errors);
 /// The error names the key or word that was not expected.
 Result<Findings> findings_from_json(const std::string& text);
 

@@ -79,6 +79,16 @@ void fields(const auto& field, Like<Difference> auto& difference) {
     field("pairs", difference.pairs);
 }
 
+void fields(const auto& field, Like<EffectError> auto& error) {
+    field("effect", error.effect);
+    field("reference", error.reference);
+    field("formula", error.formula);
+    field("fidelity", error.fidelity);
+    field("error", error.error);
+    field("cpu_ms_per_s", error.cpu_ms_per_s);
+    field("tolerance", error.tolerance);
+}
+
 void fields(const auto& field, Like<EffectCost> auto& cost) {
     field("name", cost.name);
     field("caller", cost.caller);
