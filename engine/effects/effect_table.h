@@ -72,6 +72,7 @@ struct EffectRow {
     ROW(explosion, Step)            \
     ROW(drag, Step)                 \
     ROW(buoyancy, Step)             \
+    ROW(water, Step)                \
     ROW(magnets, Step)              \
     ROW(conveyor, Step)             \
     ROW(continuous_collision, Step) \

@@ -34,6 +34,13 @@ struct WindZone {
 
 enum class WaterSurface : std::uint8_t { Flat, Waves };
 
+/// How a surface with waves begins, at rest: amplitude cos(nx pi x / L) cos(nz pi z / W) above the level.
+struct WaveStart {
+    Real amplitude_m{0};
+    int nx{0};
+    int nz{0};
+};
+
 /// `[[water]]`: a box of water.
 struct WaterDescription {
     std::string name;
@@ -41,6 +48,7 @@ struct WaterDescription {
     Vec3 max_m{0, 0, 0};  ///< y: the level
     Real density_kgpm3{1000};
     WaterSurface surface{WaterSurface::Flat};
+    WaveStart start{};  ///< of waves
     Real drag{1};  ///< times all that resists motion in it; 0: buoyancy alone
     Vec3 flow_mps{0, 0, 0};
     std::vector<Vec2> probes_m;  ///< world x and z

@@ -11,6 +11,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
+#include "engine/scene/environment/wave_field.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/surfaces.h"
 
@@ -171,7 +172,9 @@ public:
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
-    ForceFields force_fields;            ///< of the effects there are
+    ForceFields force_fields;  ///< of the effects there are
+    /// By the description's waters, while effect water lives: null where the surface is flat.
+    std::vector<std::unique_ptr<WaveField>> waves;
     ContactListeners contact_listeners;  ///< contact events are made while there are any
 
     const SceneDescription& description() const { return description_; }

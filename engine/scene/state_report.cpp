@@ -13,13 +13,20 @@ namespace plumbline::scene {
 
 namespace {
 
+/// What displaced water has risen by, and waves.
+double water_J(const Simulation& simulation) {
+    double sum = simulation.force_fields.energy_J("buoyancy");
+    for (const auto& waves : simulation.waves) sum += waves ? waves->energy_J() + waves->raised_J() : 0;
+    return sum;
+}
+
 void add_totals(JsonText& json, const Simulation& simulation) {
     const physics::Energy energy = physics::energy(simulation.physics);
     json.key("energy_J").begin_object();
     json.key("kinetic").number(energy.kinetic_J);
     json.key("potential").number(energy.potential_J);
     json.key("elastic").number(energy.elastic_J);
-    json.key("water").number(simulation.force_fields.energy_J("buoyancy"));
+    json.key("water").number(water_J(simulation));
     json.key("magnetic").number(simulation.force_fields.energy_J("magnets"));
     json.end_object();
     json.key("momentum_kgmps").vector(momentum_kgmps(simulation.physics));
@@ -78,20 +85,29 @@ void add_joints(JsonText& json, const Simulation& simulation) {
     json.end_array();
 }
 
-/// Of level water: it neither rises nor has waves.
 void add_waters(JsonText& json, const Simulation& simulation) {
     json.key("waters").begin_array();
-    for (const WaterDescription& water : simulation.description().waters) {
+    const std::vector<WaterDescription>& waters = simulation.description().waters;
+    for (std::size_t i = 0; i < waters.size(); ++i) {
+        const WaterDescription& water = waters[i];
+        const WaveField* waves = i < simulation.waves.size() ? simulation.waves[i].get() : nullptr;
+        const auto level_m = static_cast<double>(water.max_m.y);
         const Vec3d size_m(water.max_m - water.min_m);
+        const WaveField::Range range = waves != nullptr ? waves->range() : WaveField::Range{};
         json.begin_object();
         json.key("name").text(water.name);
         json.key("volume_m3").number(size_m.x * size_m.y * size_m.z);
         json.key("level_m").begin_object();
-        for (const char* which : {"min", "mean", "max"}) json.key(which).number(water.max_m.y);
+        json.key("min").number(level_m + range.min_m);
+        json.key("mean").number(level_m + range.mean_m);
+        json.key("max").number(level_m + range.max_m);
         json.end_object();
-        json.key("energy_J").number(0.0);
+        json.key("energy_J").number(waves != nullptr ? waves->energy_J() : 0.0);
         json.key("probes_m").begin_array();
-        for (std::size_t i = 0; i < water.probes_m.size(); ++i) json.number(water.max_m.y);
+        for (const Vec2& probe : water.probes_m) {
+            const glm::dvec2 at(probe);
+            json.number(level_m + (waves != nullptr ? waves->height_m(at.x, at.y) : 0.0));
+        }
         json.end_array();
         json.end_object();
     }

@@ -1,8 +1,10 @@
 // Water that carries bodies, and resists them.
+#include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/physics/field_effect.h"
 #include "engine/physics/medium.h"
+#include "engine/scene/environment/wave_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,12 @@ using physics::Submersion;
 
 /// Of the mass of the displaced water: what moves along with a ball (Lamb, Hydrodynamics, 92); taken for all shapes.
 constexpr double kAddedShare = 0.5;
+/// Of the mass: as much more moves along before momentum is handed on to it again. What bobs is left in peace.
+constexpr double kReckoned = 1e-3;
+/// Of a body's radius: waves shorter than some five times that pass it by, and it makes none.
+constexpr double kFelt = 0.5;
+/// A float at rest wakes when the surface has risen or fallen by so much.
+constexpr double kWakingRise_m = 1e-3;
 /// Of critical damping: the waves that a bobbing float sends out, which a level surface does not show. Floats at sea have 0.05 to
 /// 0.2 (Newman, Marine Hydrodynamics, 6.19).
 constexpr double kRadiated = 0.1;
@@ -23,11 +31,18 @@ constexpr double kRadiated = 0.1;
 struct Afloat {
     double coefficient{1};
     double mass_kg{1};
-    double added_kg{0};
-    bool in_water{false};
-    bool followed{false};  ///< since the step before: what it had under water then is known
     double radius_m{0};
     Vec3d half_m{0, 0, 0};  ///< of the box along its principal axes
+
+    int water{-1};           ///< number of the one it is in, in this step; -1: none
+    double rise_m{0};        ///< of the surface at its place, above the water's level
+    glm::dvec2 slope{0, 0};  ///< of the surface, along x and z
+    double added_kg{0};      ///< of water that moves along
+    double reckoned_kg{0};   ///< of that, what momentum was handed on to
+    double volume_m3{0};     ///< under water, as the waves know it
+    double moved_m3{0};      ///< more of it by its own motion in the latest step
+    Vec3d place_m{0, 0, 0};  ///< ... and where
+    bool followed{false};    ///< since the step before: what it had under water then is known
 };
 
 class Buoyancy final : public FieldEffect<Afloat> {
@@ -44,122 +59,186 @@ public:
         return receivers_.has(body) ? own_of(body).added_kg : 0;
     }
 
-    /// What the displaced water has risen by: it lies on the surface now.
+    /// What the displaced water has risen by: it lies on the level surface now. Waves have their own.
     double energy_J() const override {
         double sum = 0;
         for (const auto& [body, own] : receivers_.all()) {
             const physics::BodyState state = simulation_.physics.state(body);
             const Vec3d center(state.center_of_mass_world());
-            const scene::WaterDescription* water = water_at(center, own.radius_m);
-            if (water == nullptr) continue;
+            Afloat there = own;
+            find_water(there, center);
+            if (there.water < 0) continue;
+            there.rise_m = 0;
             const Submersion below =
-                below_of(*water, body, center, world_from_mass(body, state), kUp);
-            sum += density_of(*water) * gravity_mps2() * below.volume_m3 *
-                   (static_cast<double>(water->max_m.y) - below.center_m.y);
+                below_of(there, body, center, world_from_mass(body, state), kUp);
+            sum += weight_Npm3(there) * below.volume_m3 * (level_m(there) - below.center_m.y);
         }
         return sum;
+    }
+
+    /// The body's motion in the step does work on the waves: as much as they did on it, at the surface that it felt.
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        if (simulation.waves.empty()) return;
+        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+            auto* entry = moving.awake ? receivers_.find(moving.body) : nullptr;
+            if (entry == nullptr || waves_of(entry->own) == nullptr) continue;
+            if (simulation.physics.contains(moving.body)) move_displaced(moving.body, entry->own);
+        }
+    }
+
+    void serialize(Archive& archive) override {
+        for (auto& [body, own] : receivers_.all())
+            archive(own.water,
+                    own.rise_m,
+                    own.slope.x,
+                    own.slope.y,
+                    own.added_kg,
+                    own.reckoned_kg,
+                    own.volume_m3,
+                    own.moved_m3,
+                    own.place_m,
+                    own.followed);
     }
 
 private:
     static constexpr Vec3d kUp{0, 1, 0};
 
     void list_receivers() override {
-        const Receivers<Afloat> before = receivers_;
+        Receivers<Afloat> before = receivers_;
         receivers_.clear();
         for (const scene::MovingBody& moving : simulation_.moving_bodies()) {
             if (moving.kind != physics::BodyKind::Dynamic ||
                 !simulation_.physics.contains(moving.body))
                 continue;
-            const auto* drag = simulation_.registry.find<scene::Drag>(moving.entity);
-            Afloat own{
-                .mass_kg = static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg),
-                .half_m = physics::half_extent_m(simulation_.physics, moving.body)};
-            if (drag != nullptr) own.coefficient = static_cast<double>(drag->coefficient);
-            own.radius_m = glm::length(own.half_m);
-            if (const auto* known = before.find(moving.body)) {
-                own.added_kg = known->own.added_kg;
-                own.in_water = known->own.in_water;
-                own.followed = known->own.followed;
-            }
-            receivers_.add(moving.body, own);
+            auto* known = before.find(moving.body);
+            receivers_.add(moving.body, known != nullptr ? known->own : new_body(moving));
+            if (known != nullptr) known->own.volume_m3 = 0;
         }
+        // What is gone has left its place to the water.
+        for (const auto& [body, own] : before.all()) leave(own);
+    }
+
+    Afloat new_body(const scene::MovingBody& moving) const {
+        Afloat own{
+            .mass_kg = static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg),
+            .half_m = physics::half_extent_m(simulation_.physics, moving.body)};
+        own.radius_m = glm::length(own.half_m);
+        const auto* drag = simulation_.registry.find<scene::Drag>(moving.entity);
+        if (drag != nullptr) own.coefficient = static_cast<double>(drag->coefficient);
+        return own;
     }
 
     bool acts_on(BodyId body) const override {
         const auto* entry = receivers_.find(body);
-        return entry != nullptr && entry->own.in_water;
+        return entry != nullptr && entry->own.water >= 0;
     }
 
-    /// What moves along is taken anew for each step. A body that goes under hands on of its momentum (von Karman 1929).
     void prepare() override {
+        if (!simulation_.waves.empty()) wake_by_waves();
         for (const scene::MovingBody& moving : simulation_.moving_bodies()) {
             if (!moving.awake || !receivers_.has(moving.body)) continue;
-            Afloat& own = receivers_.find(moving.body)->own;
-            const physics::BodyState state = simulation_.physics.state(moving.body);
-            const Vec3d center(state.center_of_mass_world());
-            const scene::WaterDescription* water = water_at(center, own.radius_m);
-            own.in_water = water != nullptr;
-            double added_kg = 0;
-            if (water != nullptr && water->drag > 0) {
-                const Submersion below =
-                    below_of(*water, moving.body, center, world_from_mass(moving.body, state), kUp);
-                added_kg = static_cast<double>(water->drag) * kAddedShare * density_of(*water) *
-                           below.volume_m3;
-            }
-            if (own.followed && added_kg > own.added_kg && state.pushable()) {
-                const double kept = (own.mass_kg + own.added_kg) / (own.mass_kg + added_kg);
-                const Vec3 against = state.velocity_mps - water->flow_mps;
-                simulation_.physics.apply_impulse(
-                    moving.body, against * static_cast<Real>((kept - 1) * own.mass_kg));
-            }
-            own.added_kg = added_kg;
-            own.followed = true;
+            follow(moving.body, receivers_.find(moving.body)->own);
         }
+    }
+
+    void wake_by_waves() {
+        for (const auto& [body, own] : receivers_.all()) {
+            if (own.water < 0 || waves_of(own) == nullptr || waves_of(own)->is_asleep()) continue;
+            if (simulation_.physics.state(body).awake) continue;
+            Afloat there = own;
+            find_water(there, own.place_m);
+            if (std::abs(there.rise_m - own.rise_m) > kWakingRise_m) simulation_.physics.wake(body);
+        }
+    }
+
+    /// Where it is, and what of the water moves along, is taken anew for each step.
+    void follow(BodyId body, Afloat& own) {
+        const physics::BodyState state = simulation_.physics.state(body);
+        const Vec3d center(state.center_of_mass_world());
+        const Afloat before = own;
+        find_water(own, center);
+        double volume_m3 = 0;
+        double added_kg = 0;
+        if (own.water >= 0) {
+            volume_m3 = below_of(own, body, center, world_from_mass(body, state), kUp).volume_m3;
+            added_kg =
+                static_cast<double>(water_of(own).drag) * kAddedShare * density_of(own) * volume_m3;
+        }
+        if (own.followed && own.water == before.water) {
+            raise_level(own, volume_m3 - before.volume_m3);
+        } else if (own.followed) {
+            leave(before);
+            displace(own, center, volume_m3);
+            raise_level(own, volume_m3);
+        }
+        own.volume_m3 = volume_m3;
+        own.place_m = center;
+        own.added_kg = added_kg;
+        if (!own.followed || added_kg < own.reckoned_kg) own.reckoned_kg = added_kg;
+        own.followed = true;
+        if (added_kg > own.reckoned_kg + kReckoned * own.mass_kg && state.pushable())
+            hand_on(body, own, state);
+    }
+
+    void move_displaced(BodyId body, Afloat& own) const {
+        const physics::BodyState state = simulation_.physics.state(body);
+        const Vec3d center(state.center_of_mass_world());
+        const double volume_m3 =
+            below_of(own, body, center, world_from_mass(body, state), kUp).volume_m3;
+        displace(own, own.place_m, -own.volume_m3);
+        displace(own, center, volume_m3);
+        raise_level(own, volume_m3 - own.volume_m3);
+        own.moved_m3 = volume_m3 - own.volume_m3;
+        own.volume_m3 = volume_m3;
+        own.place_m = center;
+    }
+
+    /// A body that goes under hands on of its momentum to what moves along from now on (von Karman 1929).
+    void hand_on(BodyId body, Afloat& own, const physics::BodyState& state) {
+        const double kept = (own.mass_kg + own.reckoned_kg) / (own.mass_kg + own.added_kg);
+        const Vec3 against = state.velocity_mps - water_of(own).flow_mps;
+        simulation_.physics.apply_impulse(body,
+                                          against * static_cast<Real>((kept - 1) * own.mass_kg));
+        own.reckoned_kg = own.added_kg;
     }
 
     void push(std::span<BodyInField* const> bodies, const physics::FieldTime& time) override {
-        for (BodyInField* body : bodies) {
-            const Afloat& own = own_of(body->id);
-            const scene::WaterDescription* water = water_at(body->center_m, own.radius_m);
-            if (water != nullptr) push_one(*body, own, *water, time.h_s);
-        }
+        for (BodyInField* body : bodies) push_one(*body, own_of(body->id), time.h_s);
     }
 
-    void push_one(BodyInField& body,
-                  const Afloat& own,
-                  const scene::WaterDescription& water,
-                  double h) const {
+    /// Lift is across the surface.
+    void push_one(BodyInField& body, const Afloat& own, double h) const {
+        const scene::WaterDescription& water = water_of(own);
         const Vec3d against = body.velocity_mps - Vec3d(water.flow_mps);
         // Before weight and lift, which cancel, have given their halves.
         const Vec3d direction = normalize_or(against - 0.5 * body.gain_mps, kUp);
         const Submersion below =
-            below_of(water, body.id, body.center_m, body.world_from_mass, direction);
+            below_of(own, body.id, body.center_m, body.world_from_mass, direction);
         if (!(below.volume_m3 > 0)) return;
-        const double rho = density_of(water);
-        const double lift_Ns = rho * gravity_mps2() * below.volume_m3 * h;
+        const double lift_Ns = weight_Npm3(own) * below.volume_m3 * h;
         // The waterline makes a spring of it: what it and all else leave over is eased.
-        const double share =
-            stiff_share(rho * gravity_mps2() * below.waterline_m2, body.mass_kg, h);
+        const double share = stiff_share(weight_Npm3(own) * below.waterline_m2, body.mass_kg, h);
         const double left_Ns = lift_Ns + body.gain_mps.y * body.mass_kg;
-        body.push({0, lift_Ns + (share - 1) * left_Ns, 0}, below.center_m);
-        if (water.drag > 0) resist(body, own, water, below, against, h);
+        const double upwards_Ns = lift_Ns + (share - 1) * left_Ns;
+        body.push({-own.slope.x * lift_Ns, upwards_Ns, -own.slope.y * lift_Ns}, below.center_m);
+        if (water.drag > 0) resist(body, own, below, against, h);
     }
 
     /// Against the velocity in the middle, which has half of the lift by now: solved over the whole sub-step.
     void resist(BodyInField& body,
                 const Afloat& own,
-                const scene::WaterDescription& water,
                 const Submersion& below,
                 const Vec3d& against_before,
                 double h) const {
-        const double half_rho =
-            0.5 * density_of(water) * own.coefficient * static_cast<double>(water.drag);
+        const auto drag = static_cast<double>(water_of(own).drag);
+        const double half_rho = 0.5 * density_of(own) * own.coefficient * drag;
         const Vec3d against = against_before + body.impulse_Ns / (2 * body.mass_kg);
         const double k = half_rho * below.silhouette_m2 / body.mass_kg;
         const double lost = 1 - 1 / (1 + k * glm::length(against) * h);
         body.impulse_Ns -= against * (lost * body.mass_kg);
-        const double weight = density_of(water) * gravity_mps2() * below.waterline_m2;
-        const double ringing = 2 * kRadiated * std::min(static_cast<double>(water.drag), 1.0);
+        const double weight = weight_Npm3(own) * below.waterline_m2;
+        const bool radiates = waves_of(own) == nullptr;  // waves take it with them
+        const double ringing = radiates ? 2 * kRadiated * std::min(drag, 1.0) : 0;
         const double bobbing = ringing * std::sqrt(weight / body.mass_kg);
         body.impulse_Ns.y += portable_expm1(-bobbing * h) * against.y * body.mass_kg;
         const double rolling_Nm = weight * below.waterline_m2 / 12;  // a square's
@@ -180,16 +259,16 @@ private:
     }
 
     /// Below the level and above the ground of the water.
-    Submersion below_of(const scene::WaterDescription& water,
+    Submersion below_of(const Afloat& own,
                         BodyId body,
                         const Vec3d& center,
                         const Quatd& orientation,
                         const Vec3d& direction) const {
         const physics::PhysicsWorld& world = simulation_.physics;
-        Submersion below = physics::submersion(
-            world, body, center, orientation, static_cast<double>(water.max_m.y), direction);
-        const auto ground_m = static_cast<double>(water.min_m.y);
-        if (below.volume_m3 <= 0 || center.y - own_of(body).radius_m > ground_m) return below;
+        Submersion below =
+            physics::submersion(world, body, center, orientation, level_m(own), direction);
+        const auto ground_m = static_cast<double>(water_of(own).min_m.y);
+        if (below.volume_m3 <= 0 || center.y - own.radius_m > ground_m) return below;
         const Submersion under =
             physics::submersion(world, body, center, orientation, ground_m, direction);
         const double volume_m3 = below.volume_m3 - under.volume_m3;
@@ -200,22 +279,63 @@ private:
         return below;
     }
 
-    const scene::WaterDescription* water_at(const Vec3d& center, double radius_m) const {
-        for (const scene::WaterDescription& water : simulation_.description().waters) {
-            const Vec3d low(water.min_m);
-            const Vec3d high(water.max_m);
-            if (center.x >= low.x && center.x <= high.x && center.z >= low.z &&
-                center.z <= high.z && center.y - radius_m < high.y && center.y + radius_m > low.y)
-                return &water;
+    /// Which water a body is in at a place, and where its surface is there.
+    void find_water(Afloat& own, const Vec3d& center) const {
+        own.water = -1;
+        own.rise_m = 0;
+        own.slope = {0, 0};
+        const std::vector<scene::WaterDescription>& waters = simulation_.description().waters;
+        for (std::size_t i = 0; i < waters.size(); ++i) {
+            const Vec3d low(waters[i].min_m);
+            const Vec3d high(waters[i].max_m);
+            if (center.x < low.x || center.x > high.x || center.z < low.z || center.z > high.z ||
+                center.y + own.radius_m < low.y)
+                continue;
+            Afloat there = own;
+            there.water = static_cast<int>(i);
+            if (const scene::WaveField* waves = waves_of(there)) {
+                there.rise_m = waves->height_m(center.x, center.z, kFelt * own.radius_m);
+                there.slope = waves->slope(center.x, center.z, kFelt * own.radius_m);
+                // The mean over the step: what it is about to displace itself lifts the surface on the way.
+                there.rise_m += 0.5 * own.moved_m3 *
+                                waves->response_pm2(center.x, center.z, kFelt * own.radius_m);
+            }
+            if (center.y - own.radius_m > high.y + there.rise_m) continue;
+            own = there;
+            return;
         }
-        return nullptr;
     }
 
-    static double density_of(const scene::WaterDescription& water) {
-        return static_cast<double>(water.density_kgpm3);
+    /// What the body displaces at a place stands up as the surface round it.
+    void displace(const Afloat& own, const Vec3d& place, double volume_m3) const {
+        if (scene::WaveField* waves = waves_of(own))
+            waves->displace(place, kFelt * own.radius_m, volume_m3);
     }
-    double gravity_mps2() const {
-        return std::max(-static_cast<double>(simulation_.physics.def().gravity_mps2.y), 0.0);
+    void raise_level(const Afloat& own, double volume_m3) const {
+        if (scene::WaveField* waves = waves_of(own)) waves->raise_level(volume_m3);
+    }
+    void leave(const Afloat& own) const {
+        displace(own, own.place_m, -own.volume_m3);
+        raise_level(own, -own.volume_m3);
+    }
+
+    const scene::WaterDescription& water_of(const Afloat& own) const {
+        return simulation_.description().waters[static_cast<std::size_t>(own.water)];
+    }
+    scene::WaveField* waves_of(const Afloat& own) const {
+        const auto number = static_cast<std::size_t>(own.water);
+        return own.water >= 0 && number < simulation_.waves.size() ? simulation_.waves[number].get()
+                                                                   : nullptr;
+    }
+    double level_m(const Afloat& own) const {
+        return static_cast<double>(water_of(own).max_m.y) + own.rise_m;
+    }
+    double density_of(const Afloat& own) const {
+        return static_cast<double>(water_of(own).density_kgpm3);
+    }
+    double weight_Npm3(const Afloat& own) const {
+        return density_of(own) *
+               std::max(-static_cast<double>(simulation_.physics.def().gravity_mps2.y), 0.0);
     }
     Quatd world_from_mass(BodyId body, const physics::BodyState& state) const {
         return Quatd(state.world_from_body.orientation) *

@@ -1,4 +1,5 @@
 // Air that bodies feel: drag in still air, wind and wind zones, and the lift of what spins.
+#include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/physics/field_effect.h"
@@ -32,10 +33,14 @@ struct InAir {
 class AirDrag final : public FieldEffect<InAir> {
 public:
     explicit AirDrag(scene::Simulation& simulation)
-        : FieldEffect(simulation, "drag"),
-          fidelity_(simulation.description().field_fidelity.drag) {}
+        : FieldEffect(simulation, "drag"), fidelity_(simulation.description().field_fidelity.drag) {
+        list_now();
+    }
 
     int substeps() const override { return by_fidelity(fidelity_, std::array{1, 4, 16}); }
+    void serialize(Archive& archive) override {
+        for (auto& [body, own] : receivers_.all()) archive(own.resting_N, own.rested);
+    }
 
 private:
     void list_receivers() override {

@@ -32,6 +32,11 @@ public:
         number_[body.index] = entries_.size();
         entries_.push_back({body, std::move(own)});
     }
+    /// By their ids, whatever the order in which they were added.
+    void sort() {
+        std::ranges::sort(entries_, {}, &Entry::body);
+        for (std::size_t i = 0; i < entries_.size(); ++i) number_[entries_[i].body.index] = i;
+    }
     /// Null where it is none of them.
     Entry* find(physics::BodyId body) {
         const std::size_t at = place_of(body);
@@ -107,6 +112,7 @@ protected:
     void list_now() {
         listed_revision_ = simulation_.revision();
         list_receivers();
+        receivers_.sort();
     }
     /// Fills receivers_ anew.
     virtual void list_receivers() = 0;

@@ -9,7 +9,7 @@ namespace plumbline::physics {
 /// closed form, hulls by half the sum of their faces' areas (Cauchy).
 double silhouette_m2(const ConvexShape& shape, const Vec3d& direction);
 
-/// Of all parts together, what lies behind another one counted once: by 256 lines across, within 1e-3. Of a mesh: 0.
+/// Of all parts together, what lies behind another one counted once: by 256 lines across, within half a per cent. Of a mesh: 0.
 double silhouette_m2(const BodyGeometry& geometry, const Vec3d& direction_mass);
 
 }  // namespace plumbline::physics

@@ -211,7 +211,7 @@ Below round_surface(const Placed& placed, const ConvexShape& shape, const Vec3d&
     const double wider = std::sqrt(step_rad / portable_sin(step_rad));
     std::vector<std::array<double, 2>> rings;  // height along the axis and radius
     for (const Profile& profile : profiles_of(shape)) {
-        const int steps = profile.radius2[2] < 0 ? 8 : 1;
+        const int steps = profile.radius2[2] < 0 ? 12 : 1;
         for (int i = 0; i <= steps; ++i) {
             // Closer together towards the poles.
             const double share = 0.5 - 0.5 * portable_cos(kPi_rad * i / steps);

@@ -7,7 +7,7 @@ namespace plumbline::physics {
 
 /// The part of a body below a level plane. Volumes of boxes and hulls by Catto, "Exact Buoyancy for Polyhedra" (Game Programming
 /// Gems 6, 2.5); of a sphere by the cap's formula; of other round shapes by discs along their axis, within 1e-6 of the volume.
-/// Parts that overlap count twice.
+/// Parts that overlap count twice. Areas of round shapes are those of facets, within 3 %.
 struct Submersion {
     double volume_m3{0};
     Vec3d center_m{0, 0, 0};  ///< of the volume, world; of no meaning without one

@@ -11,6 +11,7 @@ constexpr std::size_t kZones = 64;
 constexpr std::size_t kWaters = 16;
 constexpr std::size_t kExplosions = 256;
 constexpr std::size_t kProbes = 64;
+constexpr int kLeastModes = 16;  // along a side, at draft
 
 void read_drag(TableReader& table, Drag& drag) {
     table.read("coefficient", drag.coefficient, {0, 100, "a coefficient from 0 to 100"});
@@ -69,6 +70,14 @@ void read_water(TableReader& table, WaterDescription& water) {
     table.read("drag", water.drag, {0, 1000, "a factor from 0 to 1000"});
     table.read("flow_mps", water.flow_mps, kSpeed_mps);
     table.read_choice("surface", water.surface, {"flat", "waves"});
+    if (auto start = table.table("start")) {
+        start->read("amplitude_m", water.start.amplitude_m, {-10, 10, "m from -10 to 10"});
+        start->read("nx", water.start.nx, 0, kLeastModes - 1);
+        start->read("nz", water.start.nz, 0, kLeastModes - 1);
+        start->finish();
+        if (water.surface == WaterSurface::Flat)
+            table.warning("start", "a flat surface has no waves; set surface = \"waves\"");
+    }
     read_probes(table, water.probes_m);
 }
 

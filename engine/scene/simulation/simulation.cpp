@@ -249,6 +249,9 @@ std::uint64_t Simulation::state_hash() const {
         const Real numbers[] = {p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z, w.x, w.y, w.z};
         hasher.add(numbers, sizeof numbers);
     }
+    for (const auto& surface : waves) {
+        if (surface) surface->hash(hasher);
+    }
     return hasher.digest();
 }
 

@@ -1,4 +1,5 @@
 // Level water: what floats, and how.
+#include "engine/scene/environment/wave_field.h"
 #include "engine/study/fields/field_reference.h"
 #include "engine/study/fields/field_world.h"
 
@@ -150,10 +151,69 @@ FieldOutcome turns_over_as_it_must(scene::Fidelity fidelity) {
     return {std::max(upright("tall"), 1 - upright("flat")), world.cpu_ms_per_s()};
 }
 
-constexpr std::array<FieldReference, 10> kWaterReferences{
-    {{"buoyancy", "draft of a box", "height rho_b / rho", kByFidelity, &box_draws},
-     {"buoyancy", "draft of a ball", "the cap's volume", {0.01, 0.01, 0.005}, &ball_draws},
-     {"buoyancy", "draft of a cone, tip down", "H s^(1/3)", {0.01, 0.01, 0.005}, &cone_draws},
+/// The first wave along a basin of 10 x 10 x 2 m: where its probe stands, and its energy.
+FieldOutcome seiche_swings(scene::Fidelity fidelity) {
+    scene::SceneDescription scene = pond_with(fidelity, 1, ball_of("ball", {0, 50, 0}, 0.1, 1));
+    scene.field_fidelity.water = fidelity;
+    scene.entities.clear();
+    scene::WaterDescription& pond = scene.waters.front();
+    pond.min_m.y = -2;
+    pond.surface = scene::WaterSurface::Waves;
+    pond.start = {.amplitude_m = 0.02_r, .nx = 1, .nz = 0};
+    FieldWorld world(scene);
+    const double k = kPi_rad / 10;
+    const double omega = std::sqrt(kFieldGravity_mps2 * k * std::tanh(2 * k));
+    double error_m = 0;
+    while (world.time_s() < 20) {
+        world.step();
+        const double exact_m = 0.02 * std::cos(omega * world.time_s());
+        const double found_m = world.simulation().waves.front()->height_m(-5, 0);
+        error_m = std::max(error_m, std::abs(found_m - exact_m));
+    }
+    return {error_m / 0.02, world.cpu_ms_per_s()};
+}
+
+/// What sinks in raises the mean level by its volume over the basin's area.
+FieldOutcome sinking_raises_the_level(scene::Fidelity fidelity) {
+    scene::SceneDescription scene =
+        pond_with(fidelity, 1, ball_of("ball", {0, 0.6_r, 0}, 0.5, 2000));
+    scene.field_fidelity.water = fidelity;
+    scene.waters.front().surface = scene::WaterSurface::Waves;
+    FieldWorld world(scene);
+    world.run_to(2);
+    const double exact_m = 4.0 / 3 * kPi_rad * 0.125 / 100;
+    return {std::abs(world.simulation().waves.front()->range().mean_m / exact_m - 1),
+            world.cpu_ms_per_s()};
+}
+
+/// A float let go 5 cm too high: nothing of what it had may have grown after a minute.
+FieldOutcome waves_take_no_energy_from_nowhere(scene::Fidelity fidelity) {
+    scene::SceneDescription scene = pond_with(fidelity, 0, flat_box(500, 0.05));
+    scene.field_fidelity.water = fidelity;
+    scene.entities.front().world_from_body.position.x = 1;
+    scene.waters.front().surface = scene::WaterSurface::Waves;
+    FieldWorld world(scene);
+    const double start_J = world.energy_J();
+    const auto gain_J = [&] {
+        const scene::WaveField& waves = *world.simulation().waves.front();
+        return world.energy_J() + waves.energy_J() + waves.raised_J() - start_J;
+    };
+    double most_J = 0;
+    while (world.time_s() < 60) {
+        world.step();
+        most_J = std::max(most_J, gain_J());
+    }
+    const double swing_J = 0.5 * kWater_kgpm3 * kFieldGravity_mps2 * 0.05 * 0.05;
+    return {most_J / swing_J, world.cpu_ms_per_s()};
+}
+
+/// Floats fall asleep on their last millimetres.
+constexpr std::array kRestTolerance{0.01, 0.01, 0.005};
+
+constexpr std::array<FieldReference, 13> kWaterReferences{
+    {{"buoyancy", "draft of a box", "height rho_b / rho", kRestTolerance, &box_draws},
+     {"buoyancy", "draft of a ball", "the cap's volume", kRestTolerance, &ball_draws},
+     {"buoyancy", "draft of a cone, tip down", "H s^(1/3)", kRestTolerance, &cone_draws},
      {"buoyancy", "heave", "2 pi sqrt(draft / g)", kByFidelity, &box_heaves},
      {"buoyancy", "energy of 60 s of heave", "kept", kByFidelity, &heave_keeps_energy},
      {"buoyancy", "roll", "2 pi sqrt(I / (m g GM))", kByFidelity, &box_rolls},
@@ -168,6 +228,13 @@ constexpr std::array<FieldReference, 10> kWaterReferences{
       kByFidelity,
       &added_mass_slows},
      {"buoyancy", "carried by a stream", "w (1 - 1 / (1 + k w t))", kByFidelity, &stream_carries},
+     {"water", "seiche", "omega2 = g k tanh(k H)", kByFidelity, &seiche_swings},
+     {"water", "level over what sinks", "V / A", kByFidelity, &sinking_raises_the_level},
+     {"water",
+      "energy of a float and its waves",
+      "never grows",
+      {0.3, 0.3, 0.3},
+      &waves_take_no_energy_from_nowhere},
      {"buoyancy",
       "turning over",
       "where GM < 0, and only there",

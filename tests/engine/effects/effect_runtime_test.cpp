@@ -66,6 +66,12 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "wind_sound",
                                                  "sound_paths",
                                                  "room_reverb",
+                                                 "explosion",
+                                                 "drag",
+                                                 "buoyancy",
+                                                 "water",
+                                                 "magnets",
+                                                 "conveyor",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

@@ -69,11 +69,13 @@ TEST_F(SceneFileHostile, DeepNesting) {
     // One less is the parser's and the reader's business.
     const Outcome deepest =
         load("a = " + repeated("[", limits::kTextNesting) + repeated("]", limits::kTextNesting));
-    expect_only(deepest,
-                "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
-                "effects, entity, flashlight, flock, fog, fountain, goal, grass, hard_case, joint, "
-                "material, "
-                "player, post, prefab, scene, sky, sound, sun, time, view, wind, world");
+    expect_only(
+        deepest,
+        "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
+        "effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, hard_case, "
+        "joint, "
+        "material, "
+        "player, post, prefab, scene, sky, sound, sun, time, view, water, wind, wind_zone, world");
 }
 
 TEST_F(SceneFileHostile, ManyDottedParts) {
@@ -169,7 +171,7 @@ a = "e"
 b = "a.0.1.2"
 anchor_m = [0, 0, 0]
 motor = { target = 1, max = 2 }
-[effects.buoyancy]
+[effects.cloth]
 speed = """
 x"""
 )";

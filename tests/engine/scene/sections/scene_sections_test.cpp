@@ -113,12 +113,12 @@ TEST_F(SceneFileTest, ACameraThatCannotStandSoIsRefused) {
 
 TEST_F(SceneFileTest, EffectsThatAreNotBuiltAreToldInOneLine) {
     const Outcome outcome = load(
-        "[effects.fog]\n[effects.drag]\n[effects.motion_blur]\n"
-        "[effects.magnets]\n");
+        "[effects.fog]\n[effects.cloth]\n[effects.motion_blur]\n"
+        "[effects.vehicles]\n");
     ASSERT_EQ(outcome.faults.size(), 1U);
     EXPECT_EQ(outcome.faults[0],
-              "scene.toml:2:1: warning: checked but not built yet: [effects.drag]; "
-              "[effects.magnets]");
+              "scene.toml:2:1: warning: checked but not built yet: [effects.cloth]; "
+              "[effects.vehicles]");
     ASSERT_TRUE(outcome.scene.ok());
     EXPECT_TRUE(outcome.scene->effect_settings.contains("motion_blur"));
     EXPECT_FALSE(outcome.scene->effect_settings.contains("drag"));
