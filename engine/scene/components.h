@@ -8,8 +8,8 @@
 #include "engine/core/text/source_location.h"
 #include "engine/ecs/registry.h"
 #include "engine/physics/body.h"
+#include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
-#include "engine/scene/field_description.h"
 
 #include <cstdint>
 #include <filesystem>

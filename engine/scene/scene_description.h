@@ -11,8 +11,8 @@
 #include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
+#include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
-#include "engine/scene/field_description.h"
 #include "engine/scene/hard_case_description.h"
 #include "engine/scene/nature_description.h"
 #include "engine/scene/screen_effects_description.h"
@@ -341,8 +341,6 @@ struct SceneDescription {
     std::vector<std::filesystem::path> source_files;  ///< the file and its includes, as read
     std::uint64_t content_hash{0};  ///< of the file and its includes: recordings name it
     Vec3 gravity_mps2{0, -9.81_r, 0};
-    Real air_density_kgpm3{1.204_r};
-    Vec3 magnetic_field_T{0, 0, 0};  ///< uniform
     std::optional<Real> kill_below_m{};
     Accuracy accuracy{};
     std::optional<PlayerDescription> player{};
@@ -372,10 +370,7 @@ struct SceneDescription {
     std::optional<GrassDescription> grass{};
     std::vector<FlockDescription> flocks;
     std::vector<FountainDescription> fountains;
-    std::vector<WindZone> wind_zones;
-    std::vector<WaterDescription> waters;
-    std::vector<ExplosionDescription> explosions;
-    FieldFidelity field_fidelity{};
+    ForceDescription forces{};
     Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
     ScreenFidelity screen_fidelity{};
     std::map<std::string, SourceLocation> effect_settings;  ///< [effects.NAME] tables seen

@@ -16,7 +16,8 @@ namespace {
 /// What displaced water has risen by, and waves.
 double water_J(const Simulation& simulation) {
     double sum = simulation.force_fields.energy_J("buoyancy");
-    for (const auto& waves : simulation.waves) sum += waves ? waves->energy_J() + waves->raised_J() : 0;
+    for (const auto& waves : simulation.waves)
+        sum += waves ? waves->energy_J() + waves->raised_J() : 0;
     return sum;
 }
 
@@ -87,7 +88,7 @@ void add_joints(JsonText& json, const Simulation& simulation) {
 
 void add_waters(JsonText& json, const Simulation& simulation) {
     json.key("waters").begin_array();
-    const std::vector<WaterDescription>& waters = simulation.description().waters;
+    const std::vector<WaterDescription>& waters = simulation.description().forces.waters;
     for (std::size_t i = 0; i < waters.size(); ++i) {
         const WaterDescription& water = waters[i];
         const WaveField* waves = i < simulation.waves.size() ? simulation.waves[i].get() : nullptr;

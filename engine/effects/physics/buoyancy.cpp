@@ -52,7 +52,8 @@ public:
     }
 
     int substeps() const override {
-        return by_fidelity(simulation_.description().field_fidelity.buoyancy, std::array{1, 4, 16});
+        return by_fidelity(simulation_.description().forces.fidelity.buoyancy,
+                           std::array{1, 4, 16});
     }
     bool carries() const override { return true; }
     double added_mass_kg(BodyId body) const override {
@@ -284,7 +285,8 @@ private:
         own.water = -1;
         own.rise_m = 0;
         own.slope = {0, 0};
-        const std::vector<scene::WaterDescription>& waters = simulation_.description().waters;
+        const std::vector<scene::WaterDescription>& waters =
+            simulation_.description().forces.waters;
         for (std::size_t i = 0; i < waters.size(); ++i) {
             const Vec3d low(waters[i].min_m);
             const Vec3d high(waters[i].max_m);
@@ -320,7 +322,7 @@ private:
     }
 
     const scene::WaterDescription& water_of(const Afloat& own) const {
-        return simulation_.description().waters[static_cast<std::size_t>(own.water)];
+        return simulation_.description().forces.waters[static_cast<std::size_t>(own.water)];
     }
     scene::WaveField* waves_of(const Afloat& own) const {
         const auto number = static_cast<std::size_t>(own.water);
@@ -347,7 +349,7 @@ private:
 Callers callers_of_buoyancy(const scene::Simulation& simulation) {
     if (!simulation.switches.is_on("buoyancy", true)) return {};
     Callers callers;
-    for (const scene::WaterDescription& water : simulation.description().waters)
+    for (const scene::WaterDescription& water : simulation.description().forces.waters)
         callers.push_back(setting("[[water]] " + water.name, water.location));
     return callers;
 }

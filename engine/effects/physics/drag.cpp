@@ -33,7 +33,8 @@ struct InAir {
 class AirDrag final : public FieldEffect<InAir> {
 public:
     explicit AirDrag(scene::Simulation& simulation)
-        : FieldEffect(simulation, "drag"), fidelity_(simulation.description().field_fidelity.drag) {
+        : FieldEffect(simulation, "drag"),
+          fidelity_(simulation.description().forces.fidelity.drag) {
         list_now();
     }
 
@@ -57,7 +58,7 @@ private:
         time_s_ = simulation_.time_s();
         const scene::SceneDescription& scene = simulation_.description();
         blows_ = simulation_.switches.is_on("wind", true) &&
-                 (scene.wind.has_value() || !scene.wind_zones.empty());
+                 (scene.wind.has_value() || !scene.forces.wind_zones.empty());
         if (!blows_) return;
         for (auto& [body, own] : receivers_.all()) {
             const physics::BodyState state = simulation_.physics.state(body);
@@ -91,7 +92,7 @@ private:
         const Vec3d direction_mass = glm::conjugate(body.world_from_mass) * (before / speed);
         const double area_m2 = area_of(body.id, own, direction_mass);
         const double half_rho =
-            0.5 * static_cast<double>(simulation_.description().air_density_kgpm3);
+            0.5 * static_cast<double>(simulation_.description().forces.air_density_kgpm3);
         const double k =
             half_rho * static_cast<double>(own.drag.coefficient) * area_m2 / body.mass_kg;
         Vec3d after = before / (1 + k * speed * time.h_s);
@@ -116,7 +117,7 @@ private:
         const scene::SceneDescription& scene = simulation_.description();
         const Vec3 at(place);
         if (scene.wind) air_mps = Vec3d(scene::wind_at(*scene.wind, at, time_s)) * in_wind;
-        for (const scene::WindZone& zone : scene.wind_zones) {
+        for (const scene::WindZone& zone : scene.forces.wind_zones) {
             if (glm::all(glm::greaterThanEqual(at, zone.min_m)) &&
                 glm::all(glm::lessThanEqual(at, zone.max_m)))
                 air_mps += Vec3d(zone.velocity_mps);
@@ -132,8 +133,9 @@ private:
         const double speed = glm::length(air_mps);
         if (!(speed > 0)) return {0, 0, 0};
         const double area_m2 = area_of(body, own, glm::conjugate(orientation) * (air_mps / speed));
-        return air_mps * (0.5 * static_cast<double>(simulation_.description().air_density_kgpm3) *
-                          static_cast<double>(own.drag.coefficient) * area_m2 * speed);
+        return air_mps *
+               (0.5 * static_cast<double>(simulation_.description().forces.air_density_kgpm3) *
+                static_cast<double>(own.drag.coefficient) * area_m2 * speed);
     }
 
     /// Falls to nothing right behind what stands upwind.

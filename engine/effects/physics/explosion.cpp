@@ -43,7 +43,8 @@ public:
     void before_step(scene::Simulation& simulation) override {
         const double step_s = simulation.step_s();
         const double now_s = simulation.time_s() - kRounding * step_s;
-        for (const scene::ExplosionDescription& charge : simulation.description().explosions) {
+        for (const scene::ExplosionDescription& charge :
+             simulation.description().forces.explosions) {
             if (charge.at_s && *charge.at_s >= now_s && *charge.at_s < now_s + step_s)
                 go_off(simulation, charge);
         }
@@ -54,7 +55,7 @@ private:
         const std::vector<Target> targets = targets_of(simulation, charge);
         double all_sr = 0;
         for (const Target& target : targets) all_sr += target.angle_sr();
-        const scene::Fidelity fidelity = simulation.description().field_fidelity.explosion;
+        const scene::Fidelity fidelity = simulation.description().forces.fidelity.explosion;
         std::vector<std::pair<BodyId, Strike>> strikes;
         for (const Target& target : targets) {
             const double share = by_fidelity(fidelity, kRaysOfAll) * target.angle_sr() / all_sr;
@@ -128,7 +129,7 @@ private:
 Callers callers_of_explosion(const scene::Simulation& simulation) {
     if (!simulation.switches.is_on("explosion", true)) return {};
     Callers callers;
-    for (const scene::ExplosionDescription& charge : simulation.description().explosions)
+    for (const scene::ExplosionDescription& charge : simulation.description().forces.explosions)
         callers.push_back(setting("[[explosion]]", charge.location));
     return callers;
 }

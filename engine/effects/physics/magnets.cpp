@@ -82,7 +82,7 @@ public:
     }
 
     int substeps() const override {
-        return by_fidelity(simulation_.description().field_fidelity.magnets, std::array{1, 4, 16});
+        return by_fidelity(simulation_.description().forces.fidelity.magnets, std::array{1, 4, 16});
     }
 
     bool acts_on(BodyId body) const override {
@@ -101,7 +101,7 @@ public:
     }
 
     double energy_J() const override {
-        const Vec3d field_T(simulation_.description().magnetic_field_T);
+        const Vec3d field_T(simulation_.description().forces.magnetic_field_T);
         double sum = 0;
         std::vector<Placed> placed;
         for (const auto& entry : receivers_.all()) {
@@ -212,7 +212,7 @@ private:
             if (first.own.in_call != nullptr || second.own.in_call != nullptr)
                 push_pair(first, second, softening_m(a, b), time.h_s);
         }
-        const Vec3d field_T(simulation_.description().magnetic_field_T);
+        const Vec3d field_T(simulation_.description().forces.magnetic_field_T);
         for (BodyInField* body : bodies) {
             Entry& entry = *receivers_.find(body->id);
             const Vec3d moment = placed(entry).moment_Am2;

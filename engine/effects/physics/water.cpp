@@ -16,10 +16,10 @@ class Water final : public Effect {
 public:
     explicit Water(scene::Simulation& simulation) : simulation_(simulation) {
         const int modes =
-            by_fidelity(simulation.description().field_fidelity.water, std::array{16, 32, 64});
+            by_fidelity(simulation.description().forces.fidelity.water, std::array{16, 32, 64});
         const auto gravity_mps2 =
             std::max(-static_cast<double>(simulation.physics.def().gravity_mps2.y), 0.0);
-        for (const scene::WaterDescription& water : simulation.description().waters)
+        for (const scene::WaterDescription& water : simulation.description().forces.waters)
             simulation.waves.push_back(
                 has_waves(water) ? std::make_unique<scene::WaveField>(water, modes, gravity_mps2)
                                  : nullptr);
@@ -44,7 +44,7 @@ public:
 
     std::uint64_t bytes_held() const override {
         const int modes =
-            by_fidelity(simulation_.description().field_fidelity.water, std::array{16, 32, 64});
+            by_fidelity(simulation_.description().forces.fidelity.water, std::array{16, 32, 64});
         return simulation_.waves.size() * static_cast<std::uint64_t>(modes * modes) * 32;
     }
 
@@ -55,7 +55,7 @@ private:
 Callers callers_of_water(const scene::Simulation& simulation) {
     if (!simulation.switches.is_on("water", true)) return {};
     Callers callers;
-    for (const scene::WaterDescription& water : simulation.description().waters) {
+    for (const scene::WaterDescription& water : simulation.description().forces.waters) {
         if (has_waves(water)) callers.push_back(setting("[[water]] " + water.name, water.location));
     }
     return callers;

@@ -56,7 +56,7 @@ struct Below {
         // The one that stands alone comes first.
         while (below(corners[0]) != (count == 1) || below(corners[1]) == (count == 1) ||
                below(corners[2]) == (count == 1))
-            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+            corners = {corners[1], corners[2], corners[0]};
         const auto crossing = [](const Vec3d& from, const Vec3d& to) {
             return from + (to - from) * (from.y / (from.y - to.y));
         };

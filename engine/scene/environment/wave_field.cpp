@@ -33,8 +33,8 @@ WaveField::WaveField(const WaterDescription& water, int modes, double gravity_mp
     for (std::size_t m = 0; m < count_; ++m) {
         for (std::size_t n = 0; n < count_; ++n) {
             Mode& mode = modes_[m * count_ + n];
-            mode.k_pm = kHalfTurn_rad * std::hypot(static_cast<double>(m) / size_m_.x,
-                                                   static_cast<double>(n) / size_m_.z);
+            mode.k_pm = kHalfTurn_rad * glm::length(glm::dvec2{static_cast<double>(m) / size_m_.x,
+                                                               static_cast<double>(n) / size_m_.z});
             mode.omega_radps = std::sqrt(gravity_mps2 * mode.k_pm * tanh_of(mode.k_pm * size_m_.y));
         }
     }
@@ -64,7 +64,7 @@ void WaveField::fall_asleep(double seconds) {
     double most_m = 0;
     for (const Mode& mode : modes_) {
         if (mode.omega_radps > 0)
-            most_m += std::hypot(mode.height_m, mode.speed_mps / mode.omega_radps);
+            most_m += glm::length(glm::dvec2{mode.height_m, mode.speed_mps / mode.omega_radps});
     }
     quiet_s_ = most_m < kStill_m ? quiet_s_ + seconds : 0;
     if (!is_asleep()) return;

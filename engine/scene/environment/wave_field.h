@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/math.h"
-#include "engine/scene/field_description.h"
+#include "engine/scene/environment/field_description.h"
 
 #include <vector>
 

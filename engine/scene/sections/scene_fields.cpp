@@ -122,11 +122,12 @@ void read_body_fields(TableReader& table, BodyDescription& body) {
 }
 
 void read_fields(TableReader& root, SceneDescription& scene) {
-    read_up_to(kZones, root, "wind_zone", scene.wind_zones, read_wind_zone);
-    read_up_to(kWaters, root, "water", scene.waters, read_water);
-    read_up_to(kExplosions, root, "explosion", scene.explosions, read_explosion);
-    for (std::size_t i = 0; i < scene.waters.size(); ++i) {
-        if (scene.waters[i].name.empty()) scene.waters[i].name = fmt::format("water#{}", i + 1);
+    read_up_to(kZones, root, "wind_zone", scene.forces.wind_zones, read_wind_zone);
+    read_up_to(kWaters, root, "water", scene.forces.waters, read_water);
+    read_up_to(kExplosions, root, "explosion", scene.forces.explosions, read_explosion);
+    for (std::size_t i = 0; i < scene.forces.waters.size(); ++i) {
+        if (scene.forces.waters[i].name.empty())
+            scene.forces.waters[i].name = fmt::format("water#{}", i + 1);
     }
 }
 

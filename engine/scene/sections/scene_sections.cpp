@@ -47,8 +47,10 @@ void read_world(TableReader& root, SceneDescription& scene) {
         scene.gravity_mps2 = Vec3(glm::normalize(gravity) * kMost);
     }
     table->read("kill_below_m", scene.kill_below_m, kCoordinate_m);
-    table->read("air_density_kgpm3", scene.air_density_kgpm3, {0, 1e4, "kg/m3 from 0 to 10000"});
-    table->read("magnetic_field_T", scene.magnetic_field_T, {-100, 100, "T from -100 to 100"});
+    table->read(
+        "air_density_kgpm3", scene.forces.air_density_kgpm3, {0, 1e4, "kg/m3 from 0 to 10000"});
+    table->read(
+        "magnetic_field_T", scene.forces.magnetic_field_T, {-100, 100, "T from -100 to 100"});
     table->finish();
 }
 
@@ -119,7 +121,7 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         settings->finish();  // none of them has settings so far
         scene.effect_settings.emplace(name, settings->location());
     }
-    FieldFidelity& fields = scene.field_fidelity;
+    FieldFidelity& fields = scene.forces.fidelity;
     const std::array<std::pair<std::string_view, Fidelity*>, 12> with_fidelity{
         {{"wind", &fields.wind},
          {"drag", &fields.drag},

@@ -17,7 +17,7 @@ constexpr double kLoss_pm = 0.5 * kRho_kgpm3 * kCoefficient * kArea_m2 / kFallin
 
 scene::SceneDescription ball_in_air(scene::Fidelity fidelity, double gravity_mps2) {
     scene::SceneDescription scene;
-    scene.field_fidelity.drag = fidelity;
+    scene.forces.fidelity.drag = fidelity;
     scene.gravity_mps2 = {0, static_cast<Real>(-gravity_mps2), 0};
     scene.entities.push_back(ball_of("ball", {0, 0, 0}, kFallingRadius_m, kFallingMass_kg));
     scene.entities.front().body->drag = scene::Drag{.coefficient = Real{0.47_r}};
@@ -58,7 +58,7 @@ FieldOutcome is_carried_by_wind(scene::Fidelity fidelity) {
 FieldOutcome survives_a_storm(scene::Fidelity fidelity) {
     scene::SceneDescription scene = ball_in_air(fidelity, 0);
     scene.entities.front().body->mass_kg = 1e-3_r;
-    scene.wind_zones.push_back(
+    scene.forces.wind_zones.push_back(
         {.min_m = {-5000, -1, -1}, .max_m = {5000, 1, 1}, .velocity_mps = {1000, 0, 0}});
     FieldWorld world(scene);
     world.run_to(0.5);

@@ -12,7 +12,7 @@ constexpr double kBelt_mps = 2;
 
 scene::SceneDescription box_on_belt(scene::Fidelity fidelity) {
     scene::SceneDescription scene;
-    scene.field_fidelity.conveyor = fidelity;
+    scene.forces.fidelity.conveyor = fidelity;
     scene.gravity_mps2 = {0, static_cast<Real>(-kFieldGravity_mps2), 0};
     scene::EntityDescription belt = floor_of({60, 1, 60});
     belt.body->friction = static_cast<Real>(kBeltMu);

@@ -13,9 +13,9 @@ constexpr double kStruckMass_kg = 2;
 scene::SceneDescription charge_among(scene::Fidelity fidelity,
                                      std::vector<scene::EntityDescription> bodies) {
     scene::SceneDescription scene;
-    scene.field_fidelity.explosion = fidelity;
+    scene.forces.fidelity.explosion = fidelity;
     scene.gravity_mps2 = {0, 0, 0};
-    scene.explosions.push_back({.at_s = 0.05, .impulse_Ns = Real{kImpulse_Ns}});
+    scene.forces.explosions.push_back({.at_s = 0.05, .impulse_Ns = Real{kImpulse_Ns}});
     scene.entities = std::move(bodies);
     return scene;
 }

@@ -2,8 +2,9 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/effects/advance.h"
 #include "engine/physics/totals.h"
+
+#include <utility>
 
 namespace plumbline::study {
 namespace {
@@ -24,6 +25,12 @@ scene::SurfaceTable one_surface() {
     scene::SurfaceTable table;
     table.surfaces.push_back({.name = "default"});
     return table;
+}
+
+PlayedScene played(const scene::OpenedScene& opened, assets::AssetLibrary& library) {
+    Result<PlayedScene> made = PlayedScene::create(opened, library);
+    PL_ASSERT(made.ok(), "a reference's scene that can be built");
+    return std::move(*made);
 }
 
 }  // namespace
@@ -48,16 +55,15 @@ scene::EntityDescription floor_of(const Vec3& size_m) {
     return floor;
 }
 
-FieldWorld::FieldWorld(const scene::SceneDescription& description) {
-    auto built = scene::build_simulation(description, {}, library_, one_surface());
-    PL_ASSERT(built.ok(), "a reference's scene that can be built");
-    simulation_ = std::move(*built);
-    effects_ = std::make_unique<effects::EffectRuntime>(*simulation_, effects::ServedDomains{});
+FieldWorld::FieldWorld(const scene::SceneDescription& description)
+    : library_(std::make_unique<assets::AssetLibrary>()),
+      played_(played({.description = description, .surfaces = one_surface()}, *library_)) {
+    played_.start();
 }
 
 void FieldWorld::step() {
     const CpuTimer timer;
-    effects::advance(*simulation_, *effects_, game_, {});
+    played_.step();
     cpu_ms_ += timer.ms();
 }
 
@@ -66,13 +72,13 @@ void FieldWorld::run_to(double seconds) {
 }
 
 physics::BodyState FieldWorld::state(const std::string& name) const {
-    const ecs::Entity entity = simulation_->find(name);
-    return simulation_->physics.state(simulation_->registry.get<scene::BodyRef>(entity).body);
+    const ecs::Entity entity = simulation().find(name);
+    return simulation().physics.state(simulation().registry.get<scene::BodyRef>(entity).body);
 }
 
 double FieldWorld::energy_J() const {
-    double sum = physics::energy(simulation_->physics).total_J();
-    for (const physics::ForceField* field : simulation_->force_fields.all())
+    double sum = physics::energy(simulation().physics).total_J();
+    for (const physics::ForceField* field : simulation().force_fields.all())
         sum += field->energy_J();
     return sum;
 }

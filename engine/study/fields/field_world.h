@@ -2,9 +2,7 @@
 #pragma once
 
 #include "engine/assets/asset_library.h"
-#include "engine/effects/effect_runtime.h"
-#include "engine/scene/game.h"
-#include "engine/scene/simulation.h"
+#include "engine/study/played_scene.h"
 
 #include <memory>
 #include <string>
@@ -31,7 +29,7 @@ public:
     /// Until at least so many seconds have passed.
     void run_to(double seconds);
 
-    double time_s() const { return simulation_->time_s(); }
+    double time_s() const { return simulation().time_s(); }
     physics::BodyState state(const std::string& name) const;
     Vec3d velocity_mps(const std::string& name) const { return Vec3d(state(name).velocity_mps); }
     Vec3d position_m(const std::string& name) const {
@@ -40,15 +38,12 @@ public:
     /// Kinetic, and potential in gravity and in all fields.
     double energy_J() const;
     /// CPU time of all steps so far for each simulated second.
-    double cpu_ms_per_s() const { return cpu_ms_ / simulation_->time_s(); }
-    scene::Simulation& simulation() { return *simulation_; }
-    const effects::EffectRuntime& effects() const { return *effects_; }
+    double cpu_ms_per_s() const { return cpu_ms_ / time_s(); }
+    scene::Simulation& simulation() const { return played_.simulation(); }
 
 private:
-    assets::AssetLibrary library_;
-    std::unique_ptr<scene::Simulation> simulation_;
-    std::unique_ptr<effects::EffectRuntime> effects_;
-    scene::NoGame game_{scene::CameraDescription{}};
+    std::unique_ptr<assets::AssetLibrary> library_;
+    PlayedScene played_;
     double cpu_ms_{0};
 };
 

@@ -24,7 +24,7 @@ scene::EntityDescription magnet_of(const std::string& name,
 scene::SceneDescription magnets_of(scene::Fidelity fidelity,
                                    std::vector<scene::EntityDescription> magnets) {
     scene::SceneDescription scene;
-    scene.field_fidelity.magnets = fidelity;
+    scene.forces.fidelity.magnets = fidelity;
     scene.gravity_mps2 = {0, 0, 0};
     scene.entities = std::move(magnets);
     return scene;
@@ -64,7 +64,7 @@ FieldOutcome needle_swings(scene::Fidelity fidelity) {
                               {static_cast<Real>(kMoment_Am2 * std::cos(kAngle_rad)),
                                0,
                                static_cast<Real>(kMoment_Am2 * std::sin(kAngle_rad))})});
-    scene.magnetic_field_T = {static_cast<Real>(kField_T), 0, 0};
+    scene.forces.magnetic_field_T = {static_cast<Real>(kField_T), 0, 0};
     const double inertia_kgm2 = 0.4 * kMagnetMass_kg * kMagnetRadius_m * kMagnetRadius_m;
     const double exact_s = 2 * kPi_rad * std::sqrt(inertia_kgm2 / (kMoment_Am2 * kField_T));
     FieldWorld world(scene);

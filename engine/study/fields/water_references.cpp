@@ -14,12 +14,12 @@ scene::SceneDescription pond_with(scene::Fidelity fidelity,
                                   double drag,
                                   const scene::EntityDescription& body) {
     scene::SceneDescription scene;
-    scene.field_fidelity.buoyancy = fidelity;
+    scene.forces.fidelity.buoyancy = fidelity;
     scene.gravity_mps2 = {0, static_cast<Real>(-kFieldGravity_mps2), 0};
-    scene.waters.push_back({.name = "pond",
-                            .min_m = {-5, -60, -5},
-                            .max_m = {5, 0, 5},
-                            .drag = static_cast<Real>(drag)});
+    scene.forces.waters.push_back({.name = "pond",
+                                   .min_m = {-5, -60, -5},
+                                   .max_m = {5, 0, 5},
+                                   .drag = static_cast<Real>(drag)});
     scene.entities.push_back(body);
     return scene;
 }
@@ -123,9 +123,9 @@ FieldOutcome added_mass_slows(scene::Fidelity fidelity) {
 /// Still water carries what does not sink; what flows, it takes along.
 FieldOutcome stream_carries(scene::Fidelity fidelity) {
     scene::SceneDescription scene = pond_with(fidelity, 1, flat_box(500, 0));
-    scene.waters.front().min_m.x = -500;
-    scene.waters.front().max_m.x = 500;
-    scene.waters.front().flow_mps = {1, 0, 0};
+    scene.forces.waters.front().min_m.x = -500;
+    scene.forces.waters.front().max_m.x = 500;
+    scene.forces.waters.front().flow_mps = {1, 0, 0};
     FieldWorld world(scene);
     world.run_to(60);
     // v' = k (1 - v)2: the wetted end is 0.2 x 1 m2, half of what moves along is the water's.
@@ -154,9 +154,9 @@ FieldOutcome turns_over_as_it_must(scene::Fidelity fidelity) {
 /// The first wave along a basin of 10 x 10 x 2 m: where its probe stands, and its energy.
 FieldOutcome seiche_swings(scene::Fidelity fidelity) {
     scene::SceneDescription scene = pond_with(fidelity, 1, ball_of("ball", {0, 50, 0}, 0.1, 1));
-    scene.field_fidelity.water = fidelity;
+    scene.forces.fidelity.water = fidelity;
     scene.entities.clear();
-    scene::WaterDescription& pond = scene.waters.front();
+    scene::WaterDescription& pond = scene.forces.waters.front();
     pond.min_m.y = -2;
     pond.surface = scene::WaterSurface::Waves;
     pond.start = {.amplitude_m = 0.02_r, .nx = 1, .nz = 0};
@@ -177,8 +177,8 @@ FieldOutcome seiche_swings(scene::Fidelity fidelity) {
 FieldOutcome sinking_raises_the_level(scene::Fidelity fidelity) {
     scene::SceneDescription scene =
         pond_with(fidelity, 1, ball_of("ball", {0, 0.6_r, 0}, 0.5, 2000));
-    scene.field_fidelity.water = fidelity;
-    scene.waters.front().surface = scene::WaterSurface::Waves;
+    scene.forces.fidelity.water = fidelity;
+    scene.forces.waters.front().surface = scene::WaterSurface::Waves;
     FieldWorld world(scene);
     world.run_to(2);
     const double exact_m = 4.0 / 3 * kPi_rad * 0.125 / 100;
@@ -189,9 +189,9 @@ FieldOutcome sinking_raises_the_level(scene::Fidelity fidelity) {
 /// A float let go 5 cm too high: nothing of what it had may have grown after a minute.
 FieldOutcome waves_take_no_energy_from_nowhere(scene::Fidelity fidelity) {
     scene::SceneDescription scene = pond_with(fidelity, 0, flat_box(500, 0.05));
-    scene.field_fidelity.water = fidelity;
+    scene.forces.fidelity.water = fidelity;
     scene.entities.front().world_from_body.position.x = 1;
-    scene.waters.front().surface = scene::WaterSurface::Waves;
+    scene.forces.waters.front().surface = scene::WaterSurface::Waves;
     FieldWorld world(scene);
     const double start_J = world.energy_J();
     const auto gain_J = [&] {

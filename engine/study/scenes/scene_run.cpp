@@ -95,7 +95,8 @@ public:
             const physics::Energy energy = physics::energy(simulation_.physics);
             trace.energy_turnover_J = std::max({trace.energy_turnover_J,
                                                 energy.kinetic_J,
-                                                std::abs(energy.potential_J - start.potential_J)});
+                                                std::abs((energy.total_J() - energy.kinetic_J) -
+                                                         (start.total_J() - start.kinetic_J))});
             trace.penetration_m =
                 std::max(trace.penetration_m, max_penetration_m(simulation_.physics));
             trace.joint_error_m =

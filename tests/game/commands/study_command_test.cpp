@@ -4,6 +4,10 @@
 #include "engine/study/findings/findings_json.h"
 #include "tests/game/commands/command_run.h"
 
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
 namespace plumbline::game {
 namespace {
 
@@ -44,10 +48,24 @@ TEST_F(StudyCommand, AWordThatNothingBeginsWithIsToldTheNearest) {
         << file.said;
 }
 
-TEST_F(StudyCommand, EffectsAndImagesAreOfScenes) {
-    const CommandRun effects = studied({.effects = true});
-    EXPECT_EQ(effects.code, ExitCode::BadUsage);
-    EXPECT_EQ(effects.said, "plumbline: error: --effects needs a scene\n");
+TEST_F(StudyCommand, EffectsWithoutASceneAreHeldToTheirReferences) {
+    install_page();
+    const std::filesystem::path folder = folder_ / "references";
+    const CommandRun run = studied({.out = folder, .quiet = true, .effects = true});
+    EXPECT_EQ(run.code, ExitCode::Good) << run.said;
+    EXPECT_NE(run.out.find("\ndrag       a fall"), std::string::npos) << run.out;
+    std::ifstream file(folder / "findings.json");
+    const nlohmann::json errors = nlohmann::json::parse(file);
+    ASSERT_TRUE(errors.is_array());
+    EXPECT_GT(errors.size(), 80U);
+    for (const nlohmann::json& each : errors) {
+        EXPECT_LE(each["error"].get<double>(), each["tolerance"].get<double>()) << each;
+        EXPECT_GT(each["cpu_ms_per_s"].get<double>(), 0) << each;
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
+}
+
+TEST_F(StudyCommand, ImagesAreOfScenes) {
     EXPECT_EQ(studied({.image = true}).said, "plumbline: error: --picture needs a scene\n");
     const CommandRun scenario = studied({.cases = {"A20"}, .image = true});
     EXPECT_EQ(scenario.code, ExitCode::Refused);

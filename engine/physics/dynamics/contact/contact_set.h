@@ -90,7 +90,8 @@ private:
     std::vector<bool> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
-    Real belt_ahead_s_{0};  ///< the middle of the motion that the sweeps prepare: a chord of the circle on a turntable
+    Real belt_ahead_s_{
+        0};  ///< the middle of the motion that the sweeps prepare: a chord of the circle on a turntable
     Real h_{0};
     Real push_mps_{3};
     Real bounce_mps_{0};

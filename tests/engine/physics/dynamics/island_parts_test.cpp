@@ -13,7 +13,7 @@ namespace {
 constexpr double kRates_hz[] = {30, 60, 240};
 constexpr int kPhases = 24;
 
-WorldDef at_rate(double hz, const Vec3& gravity_mps2 = {0, 0, 0}) {
+WorldDef of_rate(double hz, const Vec3& gravity_mps2 = {0, 0, 0}) {
     WorldDef def = in_small_steps(1);
     def.substeps_max = 16;
     def.step_s = 1 / hz;
@@ -42,7 +42,7 @@ TEST(IslandParts, BallsThatMeetAt600MpsBounceOrStopWhereTheyMeet) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
             for (const double restitution : {0.0, 1.0}) {
-                TestWorld test(at_rate(hz));
+                TestWorld test(of_rate(hz));
                 const Meeting balls(test,
                                     SphereShape{0.05_r},
                                     phase,
@@ -63,7 +63,7 @@ TEST(IslandParts, ABallThatGrazesAnotherHitsIt) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
             for (const double overlap_m : {0.02, 0.05}) {
-                TestWorld test(at_rate(hz));
+                TestWorld test(of_rate(hz));
                 const BodyDef smooth{.kind = BodyKind::Dynamic, .friction = 0, .restitution = 1};
                 const double beside_m = 2 * kRadius_m - overlap_m;
                 const BodyId struck = test.add(SphereShape{static_cast<Real>(kRadius_m)},
@@ -89,7 +89,7 @@ TEST(IslandParts, ABallThatGrazesAnotherHitsIt) {
 TEST(IslandParts, ABallThatBouncesHitsTheNextBallWithinTheStep) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            TestWorld test(at_rate(hz));
+            TestWorld test(of_rate(hz));
             test.ground(0, 1);
             BodyDef smooth{.kind = BodyKind::Dynamic, .friction = 0, .restitution = 1};
             const BodyId next = test.add(SphereShape{0.05_r}, {0.25_r, 0.3_r, 0}, smooth);
@@ -107,7 +107,7 @@ TEST(IslandParts, ABallThatBouncesHitsTheNextBallWithinTheStep) {
 TEST(IslandParts, ABallReturnsFromAPlateThatComes) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            TestWorld test(at_rate(hz));
+            TestWorld test(of_rate(hz));
             const BodyId plate =
                 test.add(BoxShape{{2, 0.1_r, 2}},
                          {0, 0, 0},
@@ -129,7 +129,7 @@ TEST(IslandParts, ABallReturnsFromAPlateThatComes) {
 TEST(IslandParts, BoxesThatTurnAndMeetAt600MpsDoNotPass) {
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            TestWorld test(at_rate(hz));
+            TestWorld test(of_rate(hz));
             const Meeting boxes(test,
                                 BoxShape{{0.1_r, 0.1_r, 0.1_r}},
                                 phase,
@@ -148,7 +148,7 @@ TEST(IslandParts, ABoxLosesNothingOfItsFallAtAFloorThatItMeetsWithinTheStep) {
     constexpr double kFall_mps = 40;
     for (const double hz : kRates_hz) {
         for (int phase = 0; phase < kPhases; ++phase) {
-            TestWorld test(at_rate(hz));
+            TestWorld test(of_rate(hz));
             test.add(BoxShape{{10, 1, 10}}, {0, -0.5_r, 0}, {});
             const double height_m = 1 + kFall_mps * phase / kPhases / 60;
             const BodyId box = test.add(BoxShape{{0.2_r, 0.2_r, 0.2_r}},
@@ -169,7 +169,7 @@ TEST(IslandParts, ABoxLosesNothingOfItsFallAtAFloorThatItMeetsWithinTheStep) {
 TEST(IslandParts, AWhirlingRodGainsNothingFromAPost) {
     for (const double hz : kRates_hz) {
         for (int i = 0; i < 7; ++i) {
-            TestWorld test(at_rate(hz));
+            TestWorld test(of_rate(hz));
             const double angle = 0.3 + 0.1 * i;
             test.add(BoxShape{{0.1_r, 4, 0.1_r}},
                      {static_cast<Real>(1.5 * std::cos(angle)),
@@ -197,7 +197,7 @@ TEST(IslandParts, APlateAt50MpsDoesNotPenetrateARidge) {
         .triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}};
     for (const double hz : kRates_hz) {
         for (const double tilt : {-0.25, -0.1, 0.0, 0.15}) {
-            TestWorld test(at_rate(hz, {0, -9.81_r, 0}));
+            TestWorld test(of_rate(hz, {0, -9.81_r, 0}));
             test.add(roof, {0, 0, 0}, {.kind = BodyKind::Static});
             BodyDef plate{.kind = BodyKind::Dynamic, .mass_kg = 200, .velocity_mps = {0, -50, 0}};
             plate.world_from_body.orientation = Quat(

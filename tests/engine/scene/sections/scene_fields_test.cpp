@@ -65,24 +65,24 @@ fidelity = "draft"
     ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
     EXPECT_TRUE(outcome.faults.empty());
     const SceneDescription& scene = *outcome.scene;
-    EXPECT_EQ(scene.air_density_kgpm3, Real{1});
-    expect_near(scene.magnetic_field_T, {0, 0.5_r, 0});
+    EXPECT_EQ(scene.forces.air_density_kgpm3, Real{1});
+    expect_near(scene.forces.magnetic_field_T, {0, 0.5_r, 0});
     EXPECT_TRUE(scene.wind->shelter);
-    ASSERT_EQ(scene.wind_zones.size(), 1U);
-    expect_near(scene.wind_zones.front().velocity_mps, {0, 0, 5});
-    ASSERT_EQ(scene.waters.size(), 2U);
-    EXPECT_EQ(scene.waters[0].density_kgpm3, Real{1025});
-    EXPECT_EQ(scene.waters[0].drag, Real{0});
-    ASSERT_EQ(scene.waters[0].probes_m.size(), 2U);
-    EXPECT_EQ(scene.waters[0].probes_m[1], (Vec2{1, 2}));
-    EXPECT_EQ(scene.waters[1].name, "water#2");
-    ASSERT_EQ(scene.explosions.size(), 2U);
-    EXPECT_EQ(scene.explosions[0].at_s, 1.0);
-    EXPECT_FALSE(scene.explosions[1].at_s);
-    EXPECT_EQ(scene.explosions[1].impulse_Ns, Real{1000});
-    EXPECT_EQ(scene.field_fidelity.drag, Fidelity::Precise);
-    EXPECT_EQ(scene.field_fidelity.magnets, Fidelity::Draft);
-    EXPECT_EQ(scene.field_fidelity.buoyancy, Fidelity::Balanced);
+    ASSERT_EQ(scene.forces.wind_zones.size(), 1U);
+    expect_near(scene.forces.wind_zones.front().velocity_mps, {0, 0, 5});
+    ASSERT_EQ(scene.forces.waters.size(), 2U);
+    EXPECT_EQ(scene.forces.waters[0].density_kgpm3, Real{1025});
+    EXPECT_EQ(scene.forces.waters[0].drag, Real{0});
+    ASSERT_EQ(scene.forces.waters[0].probes_m.size(), 2U);
+    EXPECT_EQ(scene.forces.waters[0].probes_m[1], (Vec2{1, 2}));
+    EXPECT_EQ(scene.forces.waters[1].name, "water#2");
+    ASSERT_EQ(scene.forces.explosions.size(), 2U);
+    EXPECT_EQ(scene.forces.explosions[0].at_s, 1.0);
+    EXPECT_FALSE(scene.forces.explosions[1].at_s);
+    EXPECT_EQ(scene.forces.explosions[1].impulse_Ns, Real{1000});
+    EXPECT_EQ(scene.forces.fidelity.drag, Fidelity::Precise);
+    EXPECT_EQ(scene.forces.fidelity.magnets, Fidelity::Draft);
+    EXPECT_EQ(scene.forces.fidelity.buoyancy, Fidelity::Balanced);
 }
 
 TEST_F(SceneFileTest, FaultsOfFieldsAreNamed) {

@@ -134,7 +134,7 @@ TEST(SimulationJoints, GoWithTheirEntities) {
     EXPECT_EQ(run->joints().size(), 2U);
 }
 
-TEST(SimulationJoints, PotentialEnergyHoldsTheSprings) {
+TEST(SimulationJoints, ElasticEnergyIsThatOfTheSprings) {
     SceneDescription scene = scene_of({cube("bob", {0, 0, 0})});
     scene.joints = {{.name = "spring",
                      .kind = JointKind::Spring,
@@ -144,7 +144,7 @@ TEST(SimulationJoints, PotentialEnergyHoldsTheSprings) {
                      .stiffness_Npm = 200,
                      .rest_length_m = 1.0_r}};
     Running run(scene);
-    EXPECT_NEAR(state_of(run)["energy_J"]["potential"].get<double>(), 0.5 * 200 * 4, 1e-3);
+    EXPECT_NEAR(state_of(run)["energy_J"]["elastic"].get<double>(), 0.5 * 200 * 4, 1e-3);
 }
 
 TEST(SimulationJoints, WarnOfSolversThatLoseThem) {

@@ -1,8 +1,8 @@
-// Every effect that bodies feel is within what its references allow, at every fidelity.
+// Belts, magnets and charges are within what their references allow; the order of fields, and the study's table.
 #include "engine/study/fields/field_study.h"
 
 #include "engine/effects/effect_table.h"
-#include "engine/study/fields/field_reference.h"
+#include "tests/engine/study/fields/each_reference.h"
 
 #include <gtest/gtest.h>
 
@@ -14,29 +14,42 @@ namespace {
 
 using scene::Fidelity;
 
-std::string id_of(const FieldReference& reference) {
-    std::string id = std::string(reference.effect) + "_" + std::string(reference.name);
-    std::ranges::replace_if(
-        id, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-    return id;
-}
+class BeltReference : public EachReference {};
 
-class EachReference : public testing::TestWithParam<FieldReference> {};
-
-TEST_P(EachReference, IsKeptAtEveryFidelity) {
-    const FieldReference& reference = GetParam();
-    for (const Fidelity fidelity : {Fidelity::Draft, Fidelity::Balanced, Fidelity::Precise}) {
-        const FieldOutcome outcome = reference.run(fidelity);
-        EXPECT_LE(outcome.error, reference.tolerance[static_cast<std::size_t>(fidelity)])
-            << reference.formula << ", fidelity " << static_cast<int>(fidelity);
-        EXPECT_GT(outcome.cpu_ms_per_s, 0);
-    }
+TEST_P(BeltReference, IsKeptAtEveryFidelity) {
+    expect_kept(belt_references()[GetParam()]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields,
-                         EachReference,
-                         testing::ValuesIn(field_references()),
-                         [](const auto& tested) { return id_of(tested.param); });
+                         BeltReference,
+                         testing::Range(std::size_t{0}, belt_references().size()),
+                         [](const auto& tested) { return id_of(belt_references()[tested.param]); });
+
+class MagnetReference : public EachReference {};
+
+TEST_P(MagnetReference, IsKeptAtEveryFidelity) {
+    expect_kept(magnet_references()[GetParam()]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields,
+                         MagnetReference,
+                         testing::Range(std::size_t{0}, magnet_references().size()),
+                         [](const auto& tested) {
+                             return id_of(magnet_references()[tested.param]);
+                         });
+
+class BlastReference : public EachReference {};
+
+TEST_P(BlastReference, IsKeptAtEveryFidelity) {
+    expect_kept(blast_references()[GetParam()]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields,
+                         BlastReference,
+                         testing::Range(std::size_t{0}, blast_references().size()),
+                         [](const auto& tested) {
+                             return id_of(blast_references()[tested.param]);
+                         });
 
 /// Twice and four times the sub-steps: the error falls with their square.
 TEST(FieldOrder, EnergyOfAFreePairOfMagnetsIsOfSecondOrder) {

@@ -49,7 +49,7 @@ struct WaterDescription {
     Real density_kgpm3{1000};
     WaterSurface surface{WaterSurface::Flat};
     WaveStart start{};  ///< of waves
-    Real drag{1};  ///< times all that resists motion in it; 0: buoyancy alone
+    Real drag{1};       ///< times all that resists motion in it; 0: buoyancy alone
     Vec3 flow_mps{0, 0, 0};
     std::vector<Vec2> probes_m;  ///< world x and z
     SourceLocation location{};
@@ -73,6 +73,16 @@ struct FieldFidelity {
     Fidelity explosion{Fidelity::Balanced};
     Fidelity conveyor{Fidelity::Balanced};
     Fidelity magnets{Fidelity::Balanced};
+};
+
+/// What pushes bodies beside gravity and contacts.
+struct ForceDescription {
+    Real air_density_kgpm3{1.204_r};
+    Vec3 magnetic_field_T{0, 0, 0};  ///< uniform
+    std::vector<WindZone> wind_zones{};
+    std::vector<WaterDescription> waters{};
+    std::vector<ExplosionDescription> explosions{};
+    FieldFidelity fidelity{};
 };
 
 }  // namespace plumbline::scene

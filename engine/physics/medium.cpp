@@ -2,6 +2,7 @@
 
 #include "engine/physics/collision/shape/hull_geometry.h"
 #include "engine/physics/collision/silhouette.h"
+#include "engine/physics/collision/submersion.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ double reach_m(const ConvexShape& shape) {
             return glm::length(Vec3d(shape.half_m));
         case ConvexShape::Kind::Cylinder:
         case ConvexShape::Kind::Cone:
-            return std::hypot(r, half);
+            return std::sqrt(r * r + half * half);
         case ConvexShape::Kind::Hull: {
             double most = 0;
             for (const Vec3d& corner : shape.hull->corners_m)

@@ -1,0 +1,61 @@
+// How bodies of every kind lie in a medium, by their ids.
+#include "engine/physics/medium.h"
+
+#include "tests/engine/physics/test_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+TEST(Medium, RadiiHoldTheBody) {
+    TestWorld test;
+    const auto radius_of = [&test](const ShapeDef& shape) {
+        return radius_m(test.world, test.add(shape, {0, 0, 0}));
+    };
+    EXPECT_NEAR(radius_of(SphereShape{0.5_r}), 0.5, 1e-6);
+    EXPECT_NEAR(radius_of(BoxShape{{2, 1, 2}}), 1.5, 1e-6);
+    EXPECT_NEAR(radius_of(CapsuleShape{.radius_m = 0.5_r, .height_m = 3}), 1.5, 1e-6);
+    EXPECT_NEAR(radius_of(CylinderShape{.radius_m = 0.6_r, .height_m = 1.6_r}), 1, 1e-6);
+    HullShape hull;
+    for (int i = 0; i < 8; ++i)
+        hull.points_m.emplace_back(
+            Real(i & 1 ? 1 : -1), Real(i & 2 ? 0.5 : -0.5), Real(i & 4 ? 1 : -1));
+    EXPECT_NEAR(radius_of(hull), 1.5, 1e-4);
+}
+
+TEST(Medium, SilhouettesAndExtentsAreOfThePrincipalAxes) {
+    TestWorld test;
+    const BodyId box = test.add(BoxShape{{0.2_r, 0.4_r, 0.6_r}}, {3, 2, 1});
+    EXPECT_NEAR(silhouette_m2(test.world, box, {0, 1, 0}), 0.12, 1e-6);
+    const Vec3d half = half_extent_m(test.world, box);
+    EXPECT_NEAR(half.x, 0.1, 1e-3);
+    EXPECT_NEAR(half.y, 0.2, 1e-3);
+    EXPECT_NEAR(half.z, 0.3, 1e-3);
+    EXPECT_NEAR(std::abs(mass_from_body(test.world, box).w), 1, 1e-6);
+    const Submersion below = submersion(test.world, box, {3, 2, 1}, {1, 0, 0, 0}, 2, {0, 1, 0});
+    EXPECT_NEAR(below.volume_m3, 0.024, 1e-6);
+    EXPECT_NEAR(below.center_m.x, 3, 1e-6);
+}
+
+TEST(Medium, TurnedMassFramesAreTurnedBack) {
+    TestWorld test;
+    // Two bars across each other at 30 degrees: the principal axes are not the body's.
+    CompoundShape cross;
+    for (const double angle_deg : {0.0, 30.0}) {
+        CompoundChild part{.shape = BoxShape{{2, 0.1_r, 0.1_r}}};
+        part.body_from_child.orientation =
+            quat_from_euler_deg({0, static_cast<Real>(angle_deg), 0});
+        cross.children.push_back(part);
+    }
+    const BodyId body = test.add(cross, {0, 0, 0});
+    const Quatd turn = mass_from_body(test.world, body);
+    // Halfway between them the cross is longest: along a principal axis.
+    const Vec3d along = turn * Vec3d{std::cos(kPiD / 12), 0, -std::sin(kPiD / 12)};
+    EXPECT_NEAR(std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace plumbline::physics
