@@ -12,6 +12,8 @@ namespace plumbline::physics {
 namespace {
 
 constexpr double kPi_rad = 3.14159265358979323846;
+/// The sine of a lean that is none.
+constexpr double kUpright = 1e-7;
 /// Sides of a round shape where areas are asked for.
 constexpr int kSides = 24;
 /// Gauss and Legendre's places and weights for -1 to 1, the positive half.
@@ -168,40 +170,54 @@ void add_breaks(const Profile& profile, double slope, double height, std::vector
     }
 }
 
-void add_round(Below& below, const Placed& placed, const ConvexShape& shape) {
+/// The discs between two such places.
+void add_discs(Below& below, const Placed& placed, const Profile& profile, double from, double to) {
     const Vec3d axis = placed.axes[1];
     const double lean = std::sqrt(std::max(1 - axis.y * axis.y, 0.0));
     // Down the discs' steepest line, in their plane.
-    const Vec3d down = lean > 1e-7 ? (axis * axis.y - Vec3d{0, 1, 0}) / lean : Vec3d{0, 0, 0};
-    for (const Profile& profile : profiles_of(shape)) {
-        std::vector<double> breaks{profile.from, profile.to};
-        const double steep = std::max(lean, 1e-7);
-        add_breaks(profile, axis.y / steep, placed.center_m.y / steep, breaks);
-        std::ranges::sort(breaks);
-        for (std::size_t i = 1; i < breaks.size(); ++i) {
-            const double middle = (breaks[i] + breaks[i - 1]) / 2;
-            const double half = (breaks[i] - breaks[i - 1]) / 2;
-            for (const auto& [place, weight] : kGauss16) {
-                for (const double side : {-1.0, 1.0}) {
-                    const double s = middle + side * half * place;
-                    const Vec3d center = placed.center_m + axis * s;
-                    const Segment segment = segment_below(profile.radius_at(s), center.y / steep);
-                    below.volume_m3 += weight * half * segment.area_m2;
-                    below.moment +=
-                        (center * segment.area_m2 + down * segment.moment_m3) * (weight * half);
-                }
-            }
-        }
+    const Vec3d down = lean > kUpright ? (axis * axis.y - Vec3d{0, 1, 0}) / lean : Vec3d{0, 0, 0};
+    const double half = (to - from) / 2;
+    const auto add = [&](double s, double weight) {
+        const Vec3d center = placed.center_m + axis * s;
+        const Segment segment =
+            segment_below(profile.radius_at(s), center.y / std::max(lean, kUpright));
+        below.volume_m3 += weight * segment.area_m2;
+        below.moment += (center * segment.area_m2 + down * segment.moment_m3) * weight;
+    };
+    for (const auto& [place, weight] : kGauss16) {
+        add((from + to) / 2 - half * place, weight * half);
+        add((from + to) / 2 + half * place, weight * half);
     }
 }
 
-void add_sphere(Below& below, const Placed& placed, double r) {
-    const double h = std::clamp(r - placed.center_m.y, 0.0, 2 * r);  // of the cap below
+void add_round(Below& below, const Placed& placed, const ConvexShape& shape) {
+    const double up = placed.axes[1].y;
+    const double steep = std::max(std::sqrt(std::max(1 - up * up, 0.0)), kUpright);
+    for (const Profile& profile : profiles_of(shape)) {
+        std::vector<double> breaks{profile.from, profile.to};
+        add_breaks(profile, up / steep, placed.center_m.y / steep, breaks);
+        std::ranges::sort(breaks);
+        for (std::size_t i = 1; i < breaks.size(); ++i)
+            add_discs(below, placed, profile, breaks[i - 1], breaks[i]);
+    }
+}
+
+/// What is under looks from above like its widest disc and from the side like a segment; in between, like an ellipse of them.
+void add_sphere(Below& below, const Placed& placed, double r, const Vec3d& direction) {
+    const double height = placed.center_m.y;
+    const double h = std::clamp(r - height, 0.0, 2 * r);  // of the cap below
+    if (h == 0) return;
     const double volume = kPi_rad * h * h * (3 * r - h) / 3;
     below.volume_m3 += volume;
-    if (h > 0)
-        below.moment += volume * (placed.center_m -
-                                  Vec3d{0, 3 * (2 * r - h) * (2 * r - h) / (4 * (3 * r - h)), 0});
+    below.moment +=
+        volume * (placed.center_m - Vec3d{0, 3 * (2 * r - h) * (2 * r - h) / (4 * (3 * r - h)), 0});
+    const double cut_m2 = kPi_rad * std::max(r * r - height * height, 0.0);
+    const double above_m2 = height < 0 ? kPi_rad * r * r : cut_m2;
+    const double aside_m2 = segment_below(r, height).area_m2;
+    const glm::dvec2 seen{above_m2 * direction.y,
+                          aside_m2 * std::sqrt(std::max(1 - direction.y * direction.y, 0.0))};
+    below.open_m2 += Vec3d{0, -cut_m2, 0};
+    below.facing_m2 += 2 * glm::length(seen) - cut_m2 * std::abs(direction.y);
 }
 
 /// The surface of a round shape as facets: for areas only.
@@ -272,6 +288,35 @@ double volume_m3(const ConvexShape& shape) {
     return 0;
 }
 
+/// How high above the level the shape reaches. Hulls are not asked.
+double top_m(const ConvexShape& shape, const Placed& placed) {
+    const auto r = static_cast<double>(shape.radius_m);
+    const double up = placed.axes[1].y;
+    const double across = std::sqrt(std::max(1 - up * up, 0.0));
+    const double half = static_cast<double>(shape.half_height_m) * std::abs(up);
+    switch (shape.kind) {
+        case ConvexShape::Kind::Sphere:
+            return placed.center_m.y + r;
+        case ConvexShape::Kind::Capsule:
+            return placed.center_m.y + half + r;
+        case ConvexShape::Kind::Cylinder:
+            return placed.center_m.y + half + r * across;
+        case ConvexShape::Kind::Cone:
+            return placed.center_m.y +
+                   std::max(half * (up > 0 ? 1 : -1), half * (up > 0 ? -1 : 1) + r * across);
+        default:
+            return HUGE_VAL;
+    }
+}
+
+/// All of a round shape.
+Below whole_below(const ConvexShape& shape, const Placed& placed, double whole_m3) {
+    const double to_centroid_m =
+        shape.kind == ConvexShape::Kind::Cone ? -static_cast<double>(shape.half_height_m) / 2 : 0;
+    return {.volume_m3 = whole_m3,
+            .moment = whole_m3 * (placed.center_m + placed.axes[1] * to_centroid_m)};
+}
+
 Below part_below(const ConvexShape& shape, const Placed& placed, const Vec3d& direction) {
     Below below;
     switch (shape.kind) {
@@ -283,14 +328,14 @@ Below part_below(const ConvexShape& shape, const Placed& placed, const Vec3d& di
         case ConvexShape::Kind::Hull:
             add_hull(below, placed, *shape.hull, direction);
             break;
+        case ConvexShape::Kind::Sphere:
+            add_sphere(below, placed, static_cast<double>(shape.radius_m), direction);
+            break;
         default: {
             const Below surface = round_surface(placed, shape, direction);
             below.open_m2 = surface.open_m2;
             below.facing_m2 = surface.facing_m2;
-            if (shape.kind == ConvexShape::Kind::Sphere)
-                add_sphere(below, placed, static_cast<double>(shape.radius_m));
-            else
-                add_round(below, placed, shape);
+            add_round(below, placed, shape);
         }
     }
     return below;
@@ -311,8 +356,10 @@ Submersion submersion(const BodyGeometry& geometry,
     for (const GeometryPart& part : geometry.parts) {
         const Placed placed{center_m - origin + axes * Vec3d(part.mass_from_part.position_m),
                             axes * glm::dmat3(part.mass_from_part.rotation)};
-        const Below below = part_below(part.shape, placed, direction);
         const double whole_m3 = volume_m3(part.shape);
+        const Below below = top_m(part.shape, placed) <= 0
+                                ? whole_below(part.shape, placed, whole_m3)
+                                : part_below(part.shape, placed, direction);
         sum.whole_m3 += whole_m3;
         sum.volume_m3 += below.volume_m3;
         moment += below.moment;

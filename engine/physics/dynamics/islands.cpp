@@ -90,28 +90,37 @@ void IslandBuilder::tie_what_may_follow(std::span<const SweptPath> swept) {
     }
 }
 
+/// Who is held by what, and with whom.
+void IslandBuilder::tie(std::span<BodyRecord* const> bodies,
+                        std::span<Manifold* const> manifolds,
+                        std::span<JointRecord* const> joints,
+                        std::span<const SweptPath> swept,
+                        const FieldTies& fields) {
+    sets_.reset(bodies.size());
+    held_.assign(bodies.size(), 0);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        bodies[i]->small.row = i;
+        if (bodies[i]->small.fields != 0) held_[i] = 1;
+    }
+    const auto join = [this](const BodyRecord* a, const BodyRecord* b) {
+        if (is_member(a)) held_[a->small.row] = 1;
+        if (is_member(b)) held_[b->small.row] = 1;
+        if (is_member(a) && is_member(b)) sets_.join(a->small.row, b->small.row);
+    };
+    for (const Manifold* manifold : manifolds) join(manifold->a, manifold->b);
+    for (const JointRecord* joint : joints) join(joint->a, joint->b);
+    for (const auto& [a, b] : fields.pairs) join(a, b);
+    for (const SweptPath& path : swept) {
+        if (path.meets != nullptr && !path.after_impact) join(path.body, path.meets);
+    }
+}
+
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,
                           std::span<Manifold* const> manifolds,
                           std::span<JointRecord* const> joints,
                           std::span<const SweptPath> swept,
                           const FieldTies& fields) {
-    sets_.reset(bodies.size());
-    held_.assign(bodies.size(), 0);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->small.row = i;
-    const auto tie = [this](const BodyRecord* a, const BodyRecord* b) {
-        if (is_member(a)) held_[a->small.row] = 1;
-        if (is_member(b)) held_[b->small.row] = 1;
-        if (is_member(a) && is_member(b)) sets_.join(a->small.row, b->small.row);
-    };
-    for (const Manifold* manifold : manifolds) tie(manifold->a, manifold->b);
-    for (const JointRecord* joint : joints) tie(joint->a, joint->b);
-    for (const auto& [a, b] : fields.pairs) tie(a, b);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i]->small.fields != 0) held_[i] = 1;
-    }
-    for (const SweptPath& path : swept) {
-        if (path.meets != nullptr && !path.after_impact) tie(path.body, path.meets);
-    }
+    tie(bodies, manifolds, joints, swept, fields);
     tie_what_may_follow(swept);
 
     number_.assign(bodies.size(), kNoIsland);

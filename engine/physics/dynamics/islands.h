@@ -42,6 +42,11 @@ public:
 
 private:
     Island& island_of(std::uint32_t body);
+    void tie(std::span<BodyRecord* const> bodies,
+             std::span<Manifold* const> manifolds,
+             std::span<JointRecord* const> joints,
+             std::span<const SweptPath> swept,
+             const FieldTies& fields);
     void tie_what_may_follow(std::span<const SweptPath> swept);
     void note_partner(std::uint32_t body, const BodyRecord* partner);
 

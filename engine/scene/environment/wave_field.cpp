@@ -80,6 +80,7 @@ void WaveField::displace(const Vec3d& place, double radius_m, double volume_m3) 
         const std::size_t n = i % count_;
         modes_[i].height_m += rise_m * shapes.along_x[m] * shapes.along_z[n] / norm(m, n);
     }
+    quiet_s_ = 0;
 }
 
 void WaveField::raise_level(double volume_m3) {

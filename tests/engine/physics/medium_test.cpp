@@ -17,7 +17,7 @@ TEST(Medium, RadiiHoldTheBody) {
     };
     EXPECT_NEAR(radius_of(SphereShape{0.5_r}), 0.5, 1e-6);
     EXPECT_NEAR(radius_of(BoxShape{{2, 1, 2}}), 1.5, 1e-6);
-    EXPECT_NEAR(radius_of(CapsuleShape{.radius_m = 0.5_r, .height_m = 3}), 1.5, 1e-6);
+    EXPECT_NEAR(radius_of(CapsuleShape{.radius_m = 0.5_r, .height_m = 2}), 1.5, 1e-6);
     EXPECT_NEAR(radius_of(CylinderShape{.radius_m = 0.6_r, .height_m = 1.6_r}), 1, 1e-6);
     HullShape hull;
     for (int i = 0; i < 8; ++i)

@@ -20,7 +20,7 @@ TEST(Water, LevelSurfacesHaveNoWaves) {
 }
 
 TEST(Water, LiesAsleepUntilSomethingFallsIn) {
-    test::Running run(wavy({kilogram("ball", {0, 3, 0})}));
+    test::Running run(wavy({kilogram("ball", {0, 9, 0})}));
     EffectRuntime effects(*run, {});
     run.step(75, effects);
     EXPECT_TRUE(run->waves.front()->is_asleep()) << "the ball is still in the air";
@@ -34,7 +34,7 @@ TEST(Water, LiesAsleepUntilSomethingFallsIn) {
 }
 
 TEST(Water, AFloatFeelsTheWavesAndSleepsNoLonger) {
-    scene::SceneDescription scene = wavy({kilogram("ball", {-6, 0.15_r, 0})});
+    scene::SceneDescription scene = wavy({kilogram("ball", {-6, 0.15866_r, 0})});
     test::Running run(scene);
     EffectRuntime effects(*run, {});
     run.step(1800, effects);
