@@ -57,6 +57,10 @@ Quatd mass_from_body(const PhysicsWorld& world, BodyId id) {
     return glm::conjugate(Quatd(internals(world).body(id).traits.body_from_mass.orientation));
 }
 
+std::size_t part_count(const PhysicsWorld& world, BodyId id) {
+    return internals(world).body(id).traits.geometry->parts.size();
+}
+
 double radius_m(const PhysicsWorld& world, BodyId id) {
     double radius = 0;
     for (const GeometryPart& part : internals(world).body(id).traits.geometry->parts) {

@@ -3,6 +3,8 @@
 
 #include "engine/physics/body.h"
 
+#include <cstddef>
+
 namespace plumbline::physics {
 
 class PhysicsWorld;
@@ -31,6 +33,9 @@ Submersion submersion(const PhysicsWorld& world,
 
 /// The principal axes of inertia, as seen from the body's frame.
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id);
+
+/// Convex parts that it is made of.
+std::size_t part_count(const PhysicsWorld& world, BodyId id);
 
 /// Of a ball round the centre of mass that holds all of it; of a ball, its own.
 double radius_m(const PhysicsWorld& world, BodyId id);

@@ -3,6 +3,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/physics/field_effect.h"
+#include "engine/effects/physics/silhouette_map.h"
 #include "engine/physics/medium.h"
 #include "engine/physics/query.h"
 #include "engine/scene/environment/wind_field.h"
@@ -28,6 +29,8 @@ struct InAir {
         1};  ///< share of the wind that reaches it; the rest is kept off by things upwind
     Vec3d resting_N{0, 0, 0};  ///< of the air when it came to rest
     bool rested{false};
+    bool has_parts{false};  ///< its silhouette is worth keeping
+    SilhouetteMap silhouettes{};
 };
 
 class AirDrag final : public FieldEffect<InAir> {
@@ -50,7 +53,10 @@ private:
             simulation_, [this](physics::BodyId body, const scene::Drag& drag) {
                 const auto mass_kg =
                     static_cast<double>(simulation_.physics.state(body).mass.mass_kg);
-                receivers_.add(body, {.drag = drag, .mass_kg = mass_kg});
+                receivers_.add(body,
+                               {.drag = drag,
+                                .mass_kg = mass_kg,
+                                .has_parts = physics::part_count(simulation_.physics, body) > 1});
             });
     }
 
@@ -84,7 +90,7 @@ private:
 
     /// The velocity against the air, after h, is shortened by 1 / (1 + k v h): the exact solution of v' = -k v2. Lift turns it
     /// about the spin by an angle. Both commute.
-    void push_one(BodyInField& body, const InAir& own, const physics::FieldTime& time) const {
+    void push_one(BodyInField& body, InAir& own, const physics::FieldTime& time) const {
         const Vec3d air_mps = air_at(body.center_m, time_s_ + time.at_s, own.in_wind);
         const Vec3d before = body.velocity_mps - air_mps;
         const double speed = glm::length(before);
@@ -106,9 +112,12 @@ private:
         body.impulse_Ns += (after - before) * body.mass_kg;
     }
 
-    double area_of(physics::BodyId body, const InAir& own, const Vec3d& direction_mass) const {
+    double area_of(physics::BodyId body, InAir& own, const Vec3d& direction_mass) const {
         if (own.drag.area_m2 > 0) return static_cast<double>(own.drag.area_m2);
-        return physics::silhouette_m2(simulation_.physics, body, direction_mass);
+        const auto exact = [&](const Vec3d& direction) {
+            return physics::silhouette_m2(simulation_.physics, body, direction);
+        };
+        return own.has_parts ? own.silhouettes.at(direction_mass, exact) : exact(direction_mass);
     }
 
     Vec3d air_at(const Vec3d& place, double time_s, double in_wind) const {
@@ -126,7 +135,7 @@ private:
     }
 
     Vec3d push_at_rest_N(physics::BodyId body,
-                         const InAir& own,
+                         InAir& own,
                          const Vec3d& center,
                          const Quatd& orientation) const {
         const Vec3d air_mps = air_at(center, time_s_, own.in_wind);
