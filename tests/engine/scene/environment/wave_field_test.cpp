@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace plumbline::scene {
 namespace {
@@ -98,7 +99,8 @@ TEST(WaveField, IsSavedToTheBit) {
     Archive saved;
     waves.serialize(saved);
     WaveField other(basin(0, 0, 0), 16, kG_mps2);
-    Archive read(saved.take());
+    const std::string bytes = saved.take();  // outlives the archive that reads it
+    Archive read(bytes);
     other.serialize(read);
     EXPECT_FALSE(read.failed());
     const auto hash_of = [](const WaveField& field) {
