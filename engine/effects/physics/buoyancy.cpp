@@ -52,8 +52,7 @@ public:
     }
 
     int substeps() const override {
-        return by_fidelity(simulation_.description().forces.fidelity.buoyancy,
-                           std::array{1, 4, 16});
+        return field_substeps(simulation_.description().forces.fidelity.buoyancy);
     }
     bool carries() const override { return true; }
     double added_mass_kg(BodyId body) const override {
@@ -299,8 +298,9 @@ private:
                 there.rise_m = waves->height_m(center.x, center.z, kFelt * own.radius_m);
                 there.slope = waves->slope(center.x, center.z, kFelt * own.radius_m);
                 // The mean over the step: what it is about to displace itself lifts the surface on the way.
-                there.rise_m += 0.5 * own.moved_m3 *
-                                waves->response_pm2(center.x, center.z, kFelt * own.radius_m);
+                if (own.moved_m3 != 0)
+                    there.rise_m += 0.5 * own.moved_m3 *
+                                    waves->response_pm2(center.x, center.z, kFelt * own.radius_m);
             }
             if (center.y - own.radius_m > high.y + there.rise_m) continue;
             own = there;

@@ -20,7 +20,6 @@ using physics::BodyInField;
 constexpr double kLee_m = 12;
 /// Of the weight: what the wind's push must have changed by for a body at rest to wake.
 constexpr double kWakingShare = 0.05;
-constexpr double kStandardGravity_mps2 = 9.80665;
 
 struct InAir {
     scene::Drag drag;
@@ -41,7 +40,7 @@ public:
         list_now();
     }
 
-    int substeps() const override { return by_fidelity(fidelity_, std::array{1, 4, 16}); }
+    int substeps() const override { return field_substeps(fidelity_); }
     void serialize(Archive& archive) override {
         for (auto& [body, own] : receivers_.all()) archive(own.resting_N, own.rested);
     }

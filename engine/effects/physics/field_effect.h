@@ -2,10 +2,11 @@
 #pragma once
 
 #include "engine/core/time/stopwatch.h"
-#include "engine/effects/effect.h"
+#include "engine/effects/effect_table.h"
 #include "engine/physics/force_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -62,6 +63,14 @@ private:
     std::vector<Entry> entries_;
     std::vector<std::size_t> number_;  ///< by the index of the body's id
 };
+
+/// What thresholds measure forces by, whatever the scene's gravity.
+inline constexpr double kStandardGravity_mps2 = 9.80665;
+
+/// The sub-steps that a field asks for at a fidelity.
+constexpr int field_substeps(scene::Fidelity fidelity) {
+    return by_fidelity(fidelity, std::array{1, 4, 16});
+}
 
 /// What a force that is stiff in position gives in a sub-step, as a share of what it gives in the middle: a spring swings at its
 /// own frequency for every h up to half a period, and beyond does not grow (Gautschi 1961: (sin(w h / 2) / (w h / 2))^2).

@@ -15,7 +15,6 @@ using physics::BodyId;
 using physics::BodyInField;
 
 constexpr double kMu0Over4Pi = 1e-7;
-constexpr double kStandardGravity_mps2 = 9.80665;
 /// Of the lighter one's weight: pairs that pull less are left out.
 constexpr double kLeastPull = 1e-4;
 /// Of the smaller one's size, added to the distance squared: no pull is without bounds where two centres meet.
@@ -82,7 +81,7 @@ public:
     }
 
     int substeps() const override {
-        return by_fidelity(simulation_.description().forces.fidelity.magnets, std::array{1, 4, 16});
+        return field_substeps(simulation_.description().forces.fidelity.magnets);
     }
 
     bool acts_on(BodyId body) const override {

@@ -11,12 +11,16 @@ bool has_waves(const scene::WaterDescription& water) {
     return water.surface == scene::WaterSurface::Waves;
 }
 
+/// Along each side.
+int modes_of(const scene::Simulation& simulation) {
+    return by_fidelity(simulation.description().forces.fidelity.water, std::array{16, 32, 64});
+}
+
 /// Steps the waves after the bodies have given them what they displaced.
 class Water final : public Effect {
 public:
     explicit Water(scene::Simulation& simulation) : simulation_(simulation) {
-        const int modes =
-            by_fidelity(simulation.description().forces.fidelity.water, std::array{16, 32, 64});
+        const int modes = modes_of(simulation);
         const auto gravity_mps2 =
             std::max(-static_cast<double>(simulation.physics.def().gravity_mps2.y), 0.0);
         for (const scene::WaterDescription& water : simulation.description().forces.waters)
@@ -43,8 +47,7 @@ public:
     }
 
     std::uint64_t bytes_held() const override {
-        const int modes =
-            by_fidelity(simulation_.description().forces.fidelity.water, std::array{16, 32, 64});
+        const int modes = modes_of(simulation_);
         return simulation_.waves.size() * static_cast<std::uint64_t>(modes * modes) * 32;
     }
 

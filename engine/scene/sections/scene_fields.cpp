@@ -89,17 +89,6 @@ void read_explosion(TableReader& table, ExplosionDescription& explosion) {
     table.read("reach_m", explosion.reach_m, {1e-3, 1e4, "a length from 0.001 to 10000 m"});
 }
 
-template <class T>
-void read_up_to(std::size_t most,
-                TableReader& root,
-                std::string_view key,
-                std::vector<T>& values,
-                void (*read)(TableReader&, T&)) {
-    const std::size_t count = root.tables(key).size();
-    if (count > most) return root.error(key, "{} of them; at most {} are kept", count, most);
-    root.read_tables(key, values, read);
-}
-
 }  // namespace
 
 void read_body_fields(TableReader& table, BodyDescription& body) {
@@ -122,9 +111,9 @@ void read_body_fields(TableReader& table, BodyDescription& body) {
 }
 
 void read_fields(TableReader& root, SceneDescription& scene) {
-    read_up_to(kZones, root, "wind_zone", scene.forces.wind_zones, read_wind_zone);
-    read_up_to(kWaters, root, "water", scene.forces.waters, read_water);
-    read_up_to(kExplosions, root, "explosion", scene.forces.explosions, read_explosion);
+    read_listed(root, "wind_zone", scene.forces.wind_zones, read_wind_zone, kZones);
+    read_listed(root, "water", scene.forces.waters, read_water, kWaters);
+    read_listed(root, "explosion", scene.forces.explosions, read_explosion, kExplosions);
     for (std::size_t i = 0; i < scene.forces.waters.size(); ++i) {
         if (scene.forces.waters[i].name.empty())
             scene.forces.waters[i].name = fmt::format("water#{}", i + 1);

@@ -10,17 +10,6 @@ constexpr std::size_t kListed = 64;  // fountains, their pools, flocks
 constexpr int kFlyers = 200;         // of a flock
 constexpr int kStreams = 256;
 
-/// None where there are too many.
-template <class T>
-void read_listed(TableReader& table,
-                 std::string_view key,
-                 std::vector<T>& values,
-                 void (*read)(TableReader&, T&)) {
-    const std::size_t count = table.tables(key).size();
-    if (count > kListed) return table.error(key, "{} of them; at most {} are kept", count, kListed);
-    table.read_tables(key, values, read);
-}
-
 void read_pool(TableReader& table, PoolDescription& pool) {
     table.require("center_m", "[x, y, z] in m");
     table.read("center_m", pool.center_m, kCoordinate_m);
@@ -42,7 +31,7 @@ void read_fountain(TableReader& table, FountainDescription& fountain) {
     table.read("flow_lps", fountain.flow_lps, {0, 1e4, "litres a second from 0 to 10000"});
     table.read("drop_mm", fountain.drop_mm, {0.1, 100, "millimetres from 0.1 to 100"});
     table.read("drag", fountain.drag);
-    read_listed(table, "pools", fountain.pools, read_pool);
+    read_listed(table, "pools", fountain.pools, read_pool, kListed);
 }
 
 void read_wind(TableReader& table, WindDescription& wind, const LoadContext& context) {
@@ -99,8 +88,8 @@ void read_fidelity(TableReader& table, Fidelity& fidelity) {
 void read_nature(TableReader& root, SceneDescription& scene, const LoadContext& context) {
     root.read_table("wind", scene.wind, read_wind, context);
     root.read_table("grass", scene.grass, read_grass, scene);
-    read_listed(root, "flock", scene.flocks, read_flock);
-    read_listed(root, "fountain", scene.fountains, read_fountain);
+    read_listed(root, "flock", scene.flocks, read_flock, kListed);
+    read_listed(root, "fountain", scene.fountains, read_fountain, kListed);
 }
 
 }  // namespace plumbline::scene

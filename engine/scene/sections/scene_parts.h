@@ -34,6 +34,18 @@ struct PrefabSource {
 inline constexpr Range kSpeed_mps{
     -limits::kSpeed_mps, limits::kSpeed_mps, "m/s from -1000 to 1000"};
 
+/// Each item of an array of tables; none where there are more than `most`.
+template <class T>
+void read_listed(TableReader& table,
+                 std::string_view key,
+                 std::vector<T>& values,
+                 void (*read)(TableReader&, T&),
+                 std::size_t most) {
+    const std::size_t count = table.tables(key).size();
+    if (count > most) return table.error(key, "{} of them; at most {} are kept", count, most);
+    table.read_tables(key, values, read);
+}
+
 /// What is true for one load, whichever file a part stands in.
 struct LoadContext {
     std::filesystem::path assets_folder;
