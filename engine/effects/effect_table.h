@@ -75,6 +75,7 @@ struct EffectRow {
     ROW(water, Step)                \
     ROW(magnets, Step)              \
     ROW(conveyor, Step)             \
+    ROW(rope, Step)                 \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
     ROW(contact_events, Step)

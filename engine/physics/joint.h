@@ -20,6 +20,7 @@ enum class JointKind : std::uint8_t {
     Cone,           ///< a ball joint whose axis stays within a cone; twist may be bounded too
     Distance,       ///< the anchors keep a distance, or one between limits
     Spring,         ///< the anchors are pulled towards a distance
+    Elastic,  ///< the anchors are pulled together and the bodies turned back: a piece of a rod
 };
 
 /// Drives a hinge or a slider towards a speed with at most a torque or force.
@@ -42,7 +43,7 @@ struct JointDef {
     BodyId a{};
     BodyId b{};  ///< null: the world
     Vec3 anchor_a_world{0, 0, 0};
-    Vec3 anchor_b_world{0, 0, 0};  ///< same as a's but for Distance and Spring
+    Vec3 anchor_b_world{0, 0, 0};  ///< same as a's but for Distance, Spring and Elastic
     Vec3 axis_world{0, 1, 0};      ///< Hinge, Slider, Cone; any length but 0
     /// rad (Hinge, which counts its turns: any range), m (Slider, Distance: of the distance), rad
     /// (Cone: the larger magnitude is the angle at most between a's axis and b's). None: free;
@@ -50,12 +51,19 @@ struct JointDef {
     std::optional<std::array<Real, 2>> limits{};
     std::optional<std::array<Real, 2>> twist_limits{};  ///< rad, Cone only
     std::optional<JointMotor> motor{};                  ///< Hinge, Slider
-    Real stiffness_Npm{0};                              ///< Spring
-    Real damping_Nspm{0};                               ///< Spring
+    Real stiffness_Npm{0};  ///< Spring; Elastic: along any direction, or 0: the anchors coincide
+    Real damping_Nspm{0};   ///< Spring
     std::optional<Real> rest_length_m{};  ///< Spring, Distance; none: the distance at creation
-    bool collide{false};                  ///< whether a and b still touch each other
-    Real break_N{0};                      ///< breaks when it carried more over a step; 0: never
-    std::uint64_t user{0};                ///< the caller's own mark
+    Real bend_Nmprad{0};                  ///< Elastic: of bending and twist alike; 0: free
+    Real damping_s{0};                    ///< Elastic: of the material, as a time
+    /// Elastic, small_step: how fast a loses its spin while something jointed touches something. What presses light bodies hard
+    /// makes them roll away under it, as no rope does that would have to twist for it.
+    Real pressed_decay_per_s{0};
+    int substeps{0};        ///< Elastic, small_step: the least that its bodies get
+    bool straight{false};   ///< Elastic: at rest the principal axes are parallel; else as now
+    bool collide{false};    ///< whether a and b still touch each other
+    Real break_N{0};        ///< breaks when it carried more over a step; 0: never
+    std::uint64_t user{0};  ///< the caller's own mark
 };
 
 /// What the latest step left of a joint.

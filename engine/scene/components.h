@@ -73,6 +73,11 @@ struct PartBodies {
 /// Its surface moves along itself; the physics knows how.
 struct Belt {};
 
+/// A piece of a rope: the rope stands for it in reports.
+struct RopePiece {
+    bool stopped{false};  ///< frozen while ropes are switched off
+};
+
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
 struct SurfaceRef {
     std::uint16_t surface{0};

@@ -189,6 +189,7 @@ struct BodyDescription {
     physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
     std::string group{"default"};
     std::vector<std::string> collides_with;  ///< empty: everything
+    bool avoids_own_group{false};            ///< ... but what is in its own
     std::optional<Drag> drag{};
     std::optional<Magnet> magnet{};
     Vec3 surface_velocity_mps{0, 0, 0};  ///< body frame: a belt

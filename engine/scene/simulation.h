@@ -88,6 +88,18 @@ struct SceneJoint {
     SourceLocation location{};
 };
 
+/// A rope of the scene file: pieces from a to b, and what holds them.
+struct Rope {
+    std::string name;
+    double piece_m{0};                      ///< unstretched
+    std::array<physics::BodyId, 2> ends{};  ///< null: the world, or nothing
+    std::array<Vec3, 2> anchors_m{};        ///< in these bodies' frames; of the world, world
+    std::vector<physics::BodyId> pieces;
+    /// One before each piece, and one after the last where b is tied to something.
+    std::vector<physics::JointId> joints;
+};
+struct RopeLayout;
+
 /// Who asks for contact events: they are made while somebody does.
 class ContactListeners {
 public:
@@ -204,6 +216,12 @@ public:
     /// PhysicsWorld::create_joint() refuses; the message names file and line.
     Result<Done> add_joint(const JointDescription& description);
 
+    std::span<const Rope> ropes() const { return bodies_.ropes; }
+    /// Makes its pieces and what holds them; as add_joint().
+    Result<Done> add_rope(const RopeDescription& description);
+    /// Both ends and where its pieces meet, from a to b.
+    std::vector<Vec3d> points_of(const Rope& rope) const;
+
     /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
     /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
@@ -242,6 +260,7 @@ private:
     struct Bodies {
         std::vector<MovingBody> moving;
         std::vector<SceneJoint> joints;
+        std::vector<Rope> ropes;
         bool any_destroyed{false};  ///< since `moving` was cleared of them
     };
     struct MassRatio {
@@ -258,6 +277,11 @@ private:
     void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Transform& whole);
     void sync_transforms();
     void report_quarantined();
+    Result<Done> join_rope(const RopeDescription& description,
+                           const RopeLayout& layout,
+                           Rope& rope);
+    Vec3 anchor_in(physics::BodyId end, const Vec3& anchor_world) const;
+    std::string name_of_joint(physics::JointId joint) const;
     void report_broken_joints();
     void warn_of_mass_ratio();
     void warn_of_crowd();
@@ -282,6 +306,11 @@ private:
 /// The mark that a body carries for its entity (BodyDef::user).
 constexpr std::uint64_t mark_of(ecs::Entity entity) {
     return (std::uint64_t{entity.generation} << 32U) | entity.index;
+}
+
+/// The mark that its joints carry (JointDef::user).
+constexpr std::uint64_t mark_of_rope(std::size_t rope) {
+    return (std::uint64_t{1} << 40U) + rope;
 }
 
 /// Where a body on a path is at a time since the start. Exact in its points at the times of rest.

@@ -40,6 +40,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
     json.key("bodies").begin_array();
     for (const MovingBody& moving : simulation.moving_bodies()) {
         if (!simulation.physics.contains(moving.body)) continue;
+        if (simulation.registry.has<RopePiece>(moving.entity)) continue;
         const physics::BodyState state = simulation.physics.state(moving.body);
         const Quat& q = state.world_from_body.orientation;
         json.begin_object();
@@ -81,6 +82,38 @@ void add_joints(JsonText& json, const Simulation& simulation) {
         json.key("torque_Nm").number(state.torque_Nm);
         json.key("position").number(state.position);
         json.key("broken").boolean(state.broken);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_ropes(JsonText& json, const Simulation& simulation) {
+    json.key("ropes").begin_array();
+    for (const Rope& rope : simulation.ropes()) {
+        const std::vector<Vec3d> points = simulation.points_of(rope);
+        double length_m = 0;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            length_m += glm::distance(points[i - 1], points[i]);
+        const auto tension_N = [&](std::size_t joint) {
+            return joint < rope.joints.size() && simulation.physics.contains(rope.joints[joint])
+                       ? static_cast<double>(
+                             simulation.physics.joint(rope.joints[joint]).state.force_N)
+                       : 0.0;
+        };
+        json.begin_object();
+        json.key("name").text(rope.name);
+        json.key("points_m").begin_array();
+        for (const Vec3d& point : points) json.vector(point);
+        json.end_array();
+        json.key("length_m").number(length_m);
+        json.key("tension_N").begin_object();
+        json.key("a").number(tension_N(0));
+        json.key("b").number(tension_N(rope.pieces.size()));
+        json.end_object();
+        json.key("broken").boolean(std::ranges::any_of(rope.joints, [&](physics::JointId joint) {
+            return !simulation.physics.contains(joint) ||
+                   simulation.physics.joint(joint).state.broken;
+        }));
         json.end_object();
     }
     json.end_array();
@@ -226,6 +259,7 @@ std::string state_json(const Simulation& simulation,
     add_contacts(json, simulation);
     add_joints(json, simulation);
     add_islands(json, simulation);
+    add_ropes(json, simulation);
     add_waters(json, simulation);
     json.key("cost");
     add_cost(json, costs);

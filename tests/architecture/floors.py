@@ -15,7 +15,7 @@ from sources import ROOT, finish, own_files
 FLOORS = {
     "core": ["time", "process", "io", "text"],
     "assets": ["image", "model", "gltf", "mesh_files", "foreign"],
-    "physics": ["collision/shape", "collision/narrow_phase", "collision/mesh", "collision", "collision/sweep", "dynamics/joint", "dynamics/contact",
+    "physics": ["collision/shape", "collision/narrow_phase", "collision/mesh", "collision", "collision/sweep", "dynamics/joint/block", "dynamics/joint", "dynamics/contact",
                 "dynamics/impact", "dynamics", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
                 "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],

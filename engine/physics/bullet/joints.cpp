@@ -293,6 +293,7 @@ bool was_solved(const JointRecord& joint) {
 std::unique_ptr<btTypedConstraint> constraint_of(const JointRecord& joint) {
     switch (joint.solver.kind) {
         case JointKind::BallAndSocket:
+        case JointKind::Elastic:  // which neither stretches nor resists bending there
             return make_ball(joint);
         case JointKind::Cone:
             return make_cone(joint);

@@ -1,5 +1,7 @@
 #include "engine/physics/dynamics/energy_guard.h"
 
+#include "engine/physics/dynamics/joint/joint_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,18 +39,14 @@ Vec3d center_velocity_mps(std::span<const SolverBody> bodies) {
 }
 
 double elastic_J(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
-    const auto place = [&bodies](std::uint32_t index, const Vec3d& anchor) {
+    const auto pose_of = [&bodies](std::uint32_t index) {
         const SolverBody& body = bodies[index];
-        return body.start_position_m + Vec3d(body.delta_position_m) +
-               (Quatd(body.delta_rotation) * body.start_orientation) * anchor;
+        return MassPose{.position_m = body.start_position_m + Vec3d(body.delta_position_m),
+                        .orientation = Quatd(body.delta_rotation) * body.start_orientation};
     };
     double sum = 0;
     for (const SolverJoint& joint : joints) {
-        if (joint.kind != JointKind::Spring) continue;
-        const double stretch_m =
-            glm::distance(place(joint.a, joint.anchor_in_a), place(joint.b, joint.anchor_in_b)) -
-            static_cast<double>(joint.rest_length_m);
-        sum += 0.5 * static_cast<double>(joint.stiffness_Npm) * stretch_m * stretch_m;
+        if (is_elastic(joint)) sum += stored_J(joint, pose_of(joint.a), pose_of(joint.b));
     }
     return sum;
 }
@@ -120,7 +118,7 @@ void bound_ways(std::span<SolverBody> bodies,
 /// Joints without limits and springs between bodies without damping.
 bool keep_energy(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
     const auto is_ideal = [](const SolverJoint& joint) {
-        return joint.kind != JointKind::Spring && !joint.limits && !joint.twist_limits;
+        return !is_elastic(joint) && !joint.limits && !joint.twist_limits;
     };
     const auto is_undamped = [](const SolverBody& body) {
         return body.linear_damping_factor == 1 && body.angular_damping_factor == 1 &&

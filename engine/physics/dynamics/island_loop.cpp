@@ -90,6 +90,22 @@ void move_bodies(std::span<SolverBody> bodies, bool gyroscopic_torque, Real h) {
     }
 }
 
+/// Where a jointed body touches something, those of elastic joints lose spin as these say.
+void slow_pressed(std::span<SolverBody> bodies,
+                  std::span<const SolverJoint> joints,
+                  const ContactSet& contacts,
+                  Real h) {
+    const bool any = std::ranges::any_of(contacts.constraints, [&](const ContactConstraint& of) {
+        return bodies[of.a].jointed || bodies[of.b].jointed;
+    });
+    if (!any) return;
+    for (const SolverJoint& joint : joints) {
+        if (!(joint.pressed_decay_per_s > 0)) continue;
+        Real& factor = bodies[joint.a].angular_damping_factor;
+        factor = std::min(factor, portable_exp(-joint.pressed_decay_per_s * h));
+    }
+}
+
 }  // namespace
 
 void IslandLoop::clear() {
@@ -115,6 +131,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
         for (const std::uint32_t end : {joint.a, joint.b})
             bodies[end].jointed = bodies[end].movable();
     }
+    slow_pressed(bodies, joints, contacts, h_);
     contacts.begin_step(bodies,
                         {.h = h_,
                          .spring_s = spring_s,

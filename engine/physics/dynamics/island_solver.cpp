@@ -246,7 +246,8 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
             spin_radps = std::max(spin_radps, glm::length(joint->b->motion->spin_radps));
             size_m = std::max(size_m, 2 * joint->b->sweep.inner_radius_m);
         }
-        chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
+        chooser.add_joint(
+            spin_radps, static_cast<Real>(joint->state.error_m) / size_m, joint->def.substeps);
     }
     for (const BodyRecord* record : island.bodies) {
         for (std::uint32_t mask = record->small.fields; mask != 0; mask &= mask - 1)

@@ -25,8 +25,8 @@ constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48,
 }  // namespace
 
 std::string_view reason_name(SubstepReason reason) {
-    constexpr std::array<std::string_view, 8> kNames{
-        "least", "fixed", "load", "height", "turning", "field", "error", "held"};
+    constexpr std::array<std::string_view, 9> kNames{
+        "least", "fixed", "load", "height", "turning", "field", "joint", "error", "held"};
     return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -37,7 +37,7 @@ void SubstepChooser::begin(std::size_t bodies, double step_s) {
     deepest_share_ = sum_of_shares_ = 0;
     fastest_spin_radps_ = joint_error_ = 0;
     has_joints_ = false;
-    by_fields_ = 0;
+    by_fields_ = by_joints_ = 0;
 }
 
 void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg, Real size_m) {
@@ -55,7 +55,8 @@ void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg
     sum_of_shares_ += share;
 }
 
-void SubstepChooser::add_joint(Real spin_radps, Real relative_error) {
+void SubstepChooser::add_joint(Real spin_radps, Real relative_error, int least_substeps) {
+    by_joints_ = std::max(by_joints_, least_substeps);
     has_joints_ = true;
     fastest_spin_radps_ = std::max(fastest_spin_radps_, static_cast<double>(spin_radps));
     joint_error_ = std::max(joint_error_, static_cast<double>(relative_error));
@@ -123,6 +124,7 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     }
     ask(fastest_spin_radps_ * step_s_ / kTurn_rad, SubstepReason::Turning);
     ask(by_fields_, SubstepReason::Field);
+    ask(by_joints_, SubstepReason::Joint);
     // The error of second-order joints falls with the square of the sub-steps.
     ask(least * std::sqrt(joint_error_ / kJointError), SubstepReason::Error);
     const double asked = std::max(needed, static_cast<double>(least));

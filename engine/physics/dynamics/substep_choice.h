@@ -22,6 +22,7 @@ enum class SubstepReason : std::uint8_t {
     Height,   ///< many bodies on top of each other
     Turning,  ///< jointed bodies turn fast
     Field,    ///< a force field asked for them
+    Joint,    ///< an elastic joint did
     Error,    ///< joints were further apart than they may be
     Held,     ///< a step shortly before needed as many
 };
@@ -43,7 +44,7 @@ public:
     void add_contact(int a, int b, Real load_N, Real reduced_mass_kg, Real size_m);
     /// A joint: the faster spin of its two bodies and the error the latest step left, as a share of
     /// the bodies' size.
-    void add_joint(Real spin_radps, Real relative_error);
+    void add_joint(Real spin_radps, Real relative_error, int least_substeps = 0);
     /// A force field acts on one of the bodies.
     void add_field(int substeps);
     SubstepChoice choose(int least, int most);
@@ -64,6 +65,7 @@ private:
     double fastest_spin_radps_{0};
     double joint_error_{0};
     int by_fields_{0};
+    int by_joints_{0};
     std::vector<int> level_;  ///< of each body, 0: not reached
     std::vector<int> first_;  ///< neighbours of body i: neighbour_[first_[i]] on
     std::vector<int> neighbour_;

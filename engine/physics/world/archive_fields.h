@@ -13,7 +13,7 @@ constexpr Solver last_of(Solver) {
     return kSolvers.back();
 }
 constexpr JointKind last_of(JointKind) {
-    return JointKind::Spring;
+    return JointKind::Elastic;
 }
 constexpr JointMethod last_of(JointMethod) {
     return JointMethod::Iterative;
@@ -76,6 +76,11 @@ inline void serialize(Archive& archive, JointDef& def) {
             def.stiffness_Npm,
             def.damping_Nspm,
             def.rest_length_m,
+            def.bend_Nmprad,
+            def.damping_s,
+            def.pressed_decay_per_s,
+            def.substeps,
+            def.straight,
             def.collide,
             def.break_N,
             def.user);
@@ -98,6 +103,9 @@ inline void serialize(Archive& archive, SolverJoint& joint) {
             joint.stiffness_Npm,
             joint.damping_Nspm,
             joint.rest_length_m,
+            joint.bend_Nmprad,
+            joint.damping_s,
+            joint.pressed_decay_per_s,
             joint.bound_load,
             joint.mean_load,
             joint.total_impulse_Ns,

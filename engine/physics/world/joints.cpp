@@ -56,6 +56,9 @@ std::string fault_of_numbers(const JointDef& joint) {
         return "stiffness and damping must be 0 or more";
     if (joint.rest_length_m && !is_positive_or_zero(*joint.rest_length_m))
         return "the rest length must be 0 or more";
+    if (!is_positive_or_zero(joint.bend_Nmprad) || !is_positive_or_zero(joint.damping_s) ||
+        !is_positive_or_zero(joint.pressed_decay_per_s))
+        return "bending stiffness and damping must be 0 or more";
     if (!is_positive_or_zero(joint.break_N)) return "the breaking force must be 0 or more";
     if (joint.kind != JointKind::Distance) return {};
     if (joint.limits) {
@@ -108,6 +111,25 @@ void detach_joint(JointRecord& joint, BulletEngine& engine) {
     forget_one(joint.a->excluded, joint.b);
     forget_one(joint.b->excluded, joint.a);
     engine.admit_pair(*joint.a, *joint.b);
+}
+
+/// Elastic joints with one mark are one rope, all of which carries about the same: it tears where it carries most.
+void keep_worst_of_ropes(JointTable& joints, std::vector<JointId>& broken) {
+    const auto force_N = [&joints](JointId id) { return joints.get(id)->state.force_N; };
+    const auto tears_elsewhere = [&](JointId id) {
+        const JointDef& def = joints.get(id)->def;
+        return def.kind == JointKind::Elastic && std::ranges::any_of(broken, [&](JointId other) {
+                   const JointDef& of = joints.get(other)->def;
+                   if (of.kind != JointKind::Elastic || of.user != def.user) return false;
+                   return force_N(other) > force_N(id) ||
+                          (force_N(other) == force_N(id) && other < id);
+               });
+    };
+    std::vector<JointId> kept;
+    for (const JointId id : broken) {
+        if (!tears_elsewhere(id)) kept.push_back(id);
+    }
+    broken = kept;
 }
 
 }  // namespace
@@ -170,6 +192,7 @@ void settle_joints(WorldState& world) {
         }
         if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N) broken.push_back(id);
     });
+    keep_worst_of_ropes(world.joints, broken);
     for (const JointId id : broken) {
         JointRecord& joint = *world.joints.get(id);
         world.wake_ends(joint);
@@ -192,12 +215,8 @@ double elastic_energy_J(const JointTable& joints) {
     double sum_J = 0;
     joints.each([&sum_J](JointId, const std::unique_ptr<JointRecord>& record) {
         const JointRecord& joint = *record;
-        if (joint.def.kind != JointKind::Spring || joint.state.broken) return;
-        const JointSides sides =
-            joint_sides(joint.solver, mass_pose(*joint.a), mass_pose_of_b(joint));
-        const double stretch_m =
-            glm::length(sides.gap_m) - static_cast<double>(joint.solver.rest_length_m);
-        sum_J += 0.5 * static_cast<double>(joint.solver.stiffness_Npm) * stretch_m * stretch_m;
+        if (joint.state.broken) return;
+        sum_J += stored_J(joint.solver, mass_pose(*joint.a), mass_pose_of_b(joint));
     });
     return sum_J;
 }

@@ -259,6 +259,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
         if (!bit) return bit.error();
         collides_with |= *bit;
     }
+    if (body.avoids_own_group) collides_with &= ~*group;
 
     const Surface& surface = simulation_.surfaces().get(surface_index);
     Real mass_kg = body.mass_kg.value_or(body.density_kgpm3.value_or(surface.density_kgpm3) *

@@ -3,6 +3,7 @@
 
 #include "engine/core/math.h"
 #include "engine/core/text/source_location.h"
+#include "engine/scene/environment/rope_description.h"
 #include "engine/scene/screen_effects_description.h"
 
 #include <cstdint>
@@ -73,15 +74,17 @@ struct FieldFidelity {
     Fidelity explosion{Fidelity::Balanced};
     Fidelity conveyor{Fidelity::Balanced};
     Fidelity magnets{Fidelity::Balanced};
+    Fidelity rope{Fidelity::Balanced};
 };
 
-/// What pushes bodies beside gravity and contacts.
+/// What pushes and pulls bodies beside gravity, contacts and joints.
 struct ForceDescription {
     Real air_density_kgpm3{1.204_r};
     Vec3 magnetic_field_T{0, 0, 0};  ///< uniform
     std::vector<WindZone> wind_zones{};
     std::vector<WaterDescription> waters{};
     std::vector<ExplosionDescription> explosions{};
+    std::vector<RopeDescription> ropes{};
     FieldFidelity fidelity{};
 };
 

@@ -35,50 +35,24 @@ bool creaks(JointKind kind) {
     return kind == JointKind::Hinge || kind == JointKind::BallAndSocket || kind == JointKind::Cone;
 }
 
-struct End {
-    const EntityDescription* entity{nullptr};  ///< null: the world, or nothing good
-    Vec3 position_m{0, 0, 0};
-    bool good{false};
-};
-
-End read_end(TableReader& table, std::string_view key, const SceneNames& names, std::string& name) {
-    table.require(key, "the name of an entity");
-    table.read(key, name);
-    if (name.empty()) return {};
-    if (name == "world" && key == "b") return {.good = true};
-    if (name == "world") {
-        table.error(key, "\"world\" can only be b; name the entity in a and the world in b");
-        return {};
-    }
-    const auto found_entity = names.find(name);
-    if (!found_entity) {
-        const std::string nearest = names.nearest(name);
-        const std::string place = to_string(names.location(nearest));
-        const std::string hint =
-            nearest.empty() ? "" : fmt::format("; did you mean \"{}\" ({})?", nearest, place);
-        table.error(key, "no entity is called \"{}\"{}", shown(name), hint);
-        return {};
-    }
-    if (!found_entity->entity->body) {
-        const std::string place = to_string(names.location(name));
-        table.error(key, "\"{}\" ({}) has no body to hold on to", shown(name), place);
-        return {};
-    }
-    return {.entity = found_entity->entity, .position_m = found_entity->position_m, .good = true};
-}
-
-void check_ends(TableReader& table, const JointDescription& joint, const End& a, const End& b) {
+void check_ends(TableReader& table,
+                const JointDescription& joint,
+                const NamedEnd& a,
+                const NamedEnd& b) {
     if (!a.good || !b.good) return;
     if (joint.a == joint.b)
         return table.error("b", "\"{}\" cannot be joined to itself", shown(joint.b));
-    const auto is_static = [](const End& end) {
+    const auto is_static = [](const NamedEnd& end) {
         return end.entity == nullptr || end.entity->body->kind == physics::BodyKind::Static;
     };
     if (is_static(a) && is_static(b))
         table.error("b", "neither a nor b can move; expected at least one dynamic body");
 }
 
-void read_anchors(TableReader& table, JointDescription& joint, const End& a, const End& b) {
+void read_anchors(TableReader& table,
+                  JointDescription& joint,
+                  const NamedEnd& a,
+                  const NamedEnd& b) {
     joint.anchor_a_m = a.position_m;
     if (has_two_anchors(joint.kind)) {
         joint.anchor_b_m = b.entity != nullptr ? b.position_m : a.position_m;
@@ -185,8 +159,9 @@ void read_joint(TableReader& table, JointDescription& joint, const SceneNames& n
     if (!table.has("kind"))
         table.error("kind", "missing; expected one of {}", fmt::join(kKinds, ", "));
     table.read_choice("kind", joint.kind, kKinds);
-    const End a = read_end(table, "a", names, joint.a);
-    const End b = read_end(table, "b", names, joint.b);
+    for (const char* key : {"a", "b"}) table.require(key, "the name of an entity");
+    const NamedEnd a = read_named_end(table, "a", names, joint.a, false);
+    const NamedEnd b = read_named_end(table, "b", names, joint.b, true);
     check_ends(table, joint, a, b);
     read_anchors(table, joint, a, b);
     table.read_direction("axis", joint.axis);
@@ -198,6 +173,35 @@ void read_joint(TableReader& table, JointDescription& joint, const SceneNames& n
 }
 
 }  // namespace
+
+NamedEnd read_named_end(TableReader& table,
+                        std::string_view key,
+                        const SceneNames& names,
+                        std::string& name,
+                        bool or_world) {
+    table.read(key, name);
+    if (name.empty()) return {};
+    if (name == "world" && or_world) return {.good = true};
+    if (name == "world") {
+        table.error(key, "\"world\" can only be b; name the entity in a and the world in b");
+        return {};
+    }
+    const auto found_entity = names.find(name);
+    if (!found_entity) {
+        const std::string nearest = names.nearest(name);
+        const std::string place = to_string(names.location(nearest));
+        const std::string hint =
+            nearest.empty() ? "" : fmt::format("; did you mean \"{}\" ({})?", nearest, place);
+        table.error(key, "no entity is called \"{}\"{}", shown(name), hint);
+        return {};
+    }
+    if (!found_entity->entity->body) {
+        const std::string place = to_string(names.location(name));
+        table.error(key, "\"{}\" ({}) has no body to hold on to", shown(name), place);
+        return {};
+    }
+    return {.entity = found_entity->entity, .position_m = found_entity->position_m, .good = true};
+}
 
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context) {
     const auto nodes = root.tables("joint");

@@ -44,6 +44,19 @@ private:
     std::unordered_map<std::string, std::size_t> arrays_;
 };
 
+/// A key that names an entity with a body, or the world.
+struct NamedEnd {
+    const EntityDescription* entity{nullptr};  ///< null: the world, or nothing good
+    Vec3 position_m{0, 0, 0};
+    bool good{false};
+};
+/// Leaves the name in `name`; `or_world`: it may be "world". Absent: nothing good.
+NamedEnd read_named_end(TableReader& table,
+                        std::string_view key,
+                        const SceneNames& names,
+                        std::string& name,
+                        bool or_world);
+
 /// Every name that two things share is an error that gives both places; "world" is taken too.
 void check_names(const SceneDescription& scene, LoadContext& context);
 

@@ -147,6 +147,9 @@ std::optional<Quat> read_turn(TableReader& table);
 // --- scene_joints.cpp
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
 
+// --- scene_ropes.cpp
+void read_ropes(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- scene_views.cpp
 void read_views(TableReader& root, SceneDescription& scene);
 

@@ -176,6 +176,10 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = simulation->add_joint(joint);
         if (!made) return made.error();
     }
+    for (const RopeDescription& rope : description.forces.ropes) {
+        const Result<Done> made = simulation->add_rope(rope);
+        if (!made) return made.error();
+    }
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
     warn_of_overlaps(*simulation);

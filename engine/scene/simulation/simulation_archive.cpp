@@ -67,6 +67,9 @@ void serialize_fields(Archive& archive, PointLight& light) {
 void serialize_fields(Archive& archive, TriggerVolume& volume) {
     archive(volume.times_left, volume.inside);
 }
+void serialize_fields(Archive& archive, RopePiece& piece) {
+    archive(piece.stopped);
+}
 void serialize_fields(Archive& archive, Dropped& dropped) {
     archive(dropped.serial);
 }
@@ -203,6 +206,7 @@ void SimulationArchive::serialize_components() {
                      ContactAppearance,
                      TriggerVolume,
                      MotionPath,
+                     RopePiece,
                      Spawned,
                      Dropped>(archive_, simulation_.registry);
     if (archive_.failed()) return;
@@ -211,6 +215,7 @@ void SimulationArchive::serialize_components() {
                      PlayingModel,
                      PointLight,
                      TriggerVolume,
+                     RopePiece,
                      Dropped>(archive_, simulation_.registry);
     simulation_.registry.serialize_slots(archive_);
 }
@@ -238,6 +243,9 @@ void SimulationArchive::serialize_joints() {
     const std::size_t count = archive_.count(simulation_.bodies_.joints.size());
     if (!archive_.expect(count == simulation_.bodies_.joints.size(), kOtherThings)) return;
     for (SceneJoint& joint : simulation_.bodies_.joints) archive_(joint.joint);
+    for (Rope& rope : simulation_.bodies_.ropes) {
+        for (physics::JointId& joint : rope.joints) archive_(joint);
+    }
 }
 
 /// What steps and images lean on and no field by itself shows.

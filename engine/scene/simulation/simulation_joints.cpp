@@ -51,14 +51,22 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
     return Done{};
 }
 
+/// What the game joins carries marks of its own.
+std::string Simulation::name_of_joint(physics::JointId joint) const {
+    const std::uint64_t mark = physics.joint(joint).def.user;
+    if (mark < bodies_.joints.size() && bodies_.joints[mark].joint == joint)
+        return "joint " + bodies_.joints[mark].name;
+    for (std::size_t i = 0; i < bodies_.ropes.size(); ++i) {
+        if (mark == mark_of_rope(i)) return "rope " + bodies_.ropes[i].name;
+    }
+    return "joint of the game";
+}
+
 void Simulation::report_broken_joints() {
     for (const physics::JointId joint : physics.report().broken_joints) {
         const physics::JointDef& def = physics.joint(joint).def;
-        // What the game joins carries marks of its own.
-        const bool named =
-            def.user < bodies_.joints.size() && bodies_.joints[def.user].joint == joint;
-        warnings.push_back(fmt::format("joint {} broke at {:.3f} s: {:.0f} N > {:.0f} N",
-                                       named ? bodies_.joints[def.user].name : "of the game",
+        warnings.push_back(fmt::format("{} broke at {:.3f} s: {:.0f} N > {:.0f} N",
+                                       name_of_joint(joint),
                                        time_s(),
                                        physics.joint(joint).state.force_N,
                                        def.break_N));

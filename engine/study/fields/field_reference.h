@@ -35,6 +35,7 @@ std::span<const FieldReference> belt_references();
 std::span<const FieldReference> magnet_references();
 std::span<const FieldReference> water_references();
 std::span<const FieldReference> blast_references();
+std::span<const FieldReference> rope_references();
 
 /// All of them, in the order of the effects' names.
 std::vector<FieldReference> field_references();

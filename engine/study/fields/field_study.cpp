@@ -20,6 +20,7 @@ std::vector<FieldReference> field_references() {
                                belt_references(),
                                air_references(),
                                blast_references(),
+                               rope_references(),
                                magnet_references()})
         all.insert(all.end(), family.begin(), family.end());
     return all;

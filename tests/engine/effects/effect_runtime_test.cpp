@@ -72,6 +72,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "water",
                                                  "magnets",
                                                  "conveyor",
+                                                 "rope",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

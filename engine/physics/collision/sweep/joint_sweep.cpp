@@ -21,8 +21,9 @@ double inverse_mass_at(const BodyRecord& body, const Vec3d& anchor) {
 bool holds(const JointRecord& joint, double step_s) {
     if (joint.state.broken || joint.b == nullptr || !pushable(*joint.a) || !pushable(*joint.b))
         return false;
-    if (joint.def.kind != JointKind::Spring) return true;
     const SolverJoint& spring = joint.solver;
+    const bool coincide = spring.kind == JointKind::Elastic && !(spring.stiffness_Npm > 0);
+    if (coincide || !is_elastic(spring)) return true;
     return static_cast<double>(spring.stiffness_Npm) * step_s * step_s *
                (inverse_mass_at(*joint.a, spring.anchor_in_a) +
                 inverse_mass_at(*joint.b, spring.anchor_in_b)) >

@@ -16,6 +16,9 @@ constexpr double kNoticeable = 1.02;
 /// other.
 constexpr double kMostMass = 10;
 
+/// What pulls through a spring counts for so much more: between pushes of different sub-steps, its bodies swing apart sooner.
+constexpr double kElasticPull = 3;
+
 bool pulls_at_arms(NodeKind kind) {
     return kind == NodeKind::Point || kind == NodeKind::Across || kind == NodeKind::Length;
 }
@@ -77,6 +80,7 @@ void GeometricStiffness::start(JointGroup& group) {
         pull.force_N = {static_cast<double>(joint.mean_load[0]),
                         static_cast<double>(joint.mean_load[1]),
                         static_cast<double>(joint.mean_load[2])};
+        if (group.rows[pull.node].is_elastic()) pull.force_N *= kElasticPull;
     }
     if (!find_stiffness(group)) return;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
@@ -224,8 +228,11 @@ Vec3d GeometricStiffness::velocity_around(const JointGroup& group, std::size_t b
 bool GeometricStiffness::raise(JointGroup& group, std::span<const Vec3d> corrections) {
     const double per_substep = 1 / group.substep_s;
     for (Pull& pull : pulls_) {
-        const Vec3d impulse = group.impulses[pull.node] + corrections[pull.node] * per_substep;
-        pull.force_N = group.rows[pull.node].force_on_a(impulse) * -per_substep;
+        Vec3d impulse = group.impulses[pull.node] + corrections[pull.node] * per_substep;
+        const JointRows& rows = group.rows[pull.node];
+        // The rest of a spring's push is still to come.
+        if (rows.is_elastic()) impulse *= kElasticPull / rows.push_share;
+        pull.force_N = rows.force_on_a(impulse) * -per_substep;
     }
     if (!find_stiffness(group)) return false;
     unresolved_ = std::max(unresolved_, times_too_long(loads_));

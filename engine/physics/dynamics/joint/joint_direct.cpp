@@ -66,8 +66,12 @@ void DirectJoints::assemble(const JointGroup& group,
         own.xx += more;
         own.yy += more;
         own.zz += more;
-        if (&matrix == &spring_matrix_) own.xx += compliance_[i];
-        if (rows.kind != NodeKind::Point) mask(own, rows.active);
+        if (&matrix == &spring_matrix_) {
+            own.xx += compliance_[i];
+            own.yy += compliance_[i];
+            own.zz += compliance_[i];
+        }
+        if (rows.active != 0b111) mask(own, rows.active);
     }
     matrix.clear_below(component.first_node, component.last_node);
     for (std::uint32_t t = component.first_term; t < component.last_term; ++t) {
@@ -129,7 +133,7 @@ void DirectJoints::hold_steady_changes(JointGroup& group) {
     });
 }
 
-void DirectJoints::correct_positions(JointGroup& group, std::span<JointSpring> springs) {
+void DirectJoints::correct_positions(JointGroup& group, StiffSprings& springs) {
     for (JointBody& body : group.bodies) body.note_momentum();
     hold_positions(group);
     hold_springs(group, springs);
@@ -224,22 +228,6 @@ void DirectJoints::hold_positions(JointGroup& group) {
     }
 }
 
-/// Springs whose bodies turn are solved at the end of the motion: their force is the one that
-/// belongs to the length there, however far the bodies turned.
-void DirectJoints::hold_springs(JointGroup& group, std::span<const JointSpring> springs) {
-    holds_springs_ = false;
-    for (const JointSpring& spring : springs) {
-        if (spring.turns && spring.stiffness_Npm > 0) {
-            group.rows[spring.node].active = 0b001;
-            held_[spring.node].x = spring.extension_m - group.substep_s * bias_[spring.node].x;
-            holds_springs_ = true;
-        } else {
-            compliance_[spring.node] = 0;
-        }
-    }
-    if (holds_springs_) factor_positions(group);
-}
-
 /// Positions do not follow limits whose push was eased: along a lever that would be a leap.
 void DirectJoints::leave_eased(JointGroup& group) {
     for (const JointBound& bound : group.bounds) {
@@ -247,18 +235,6 @@ void DirectJoints::leave_eased(JointGroup& group) {
         if (bound.eased) active = static_cast<std::uint8_t>(active & ~(1U << bound.row));
     }
     factor_positions(group);
-}
-
-void DirectJoints::release_springs(JointGroup& group, std::span<JointSpring> springs) {
-    if (!holds_springs_) return;
-    holds_springs_ = false;
-    for (JointSpring& spring : springs) {
-        if (!group.rows[spring.node].is_active(0)) continue;
-        group.rows[spring.node].active = 0;
-        const double target_m = spring.extension_m - group.substep_s * bias_[spring.node].x;
-        spring.kept_Ns +=
-            (target_m - held_[spring.node].x) / (compliance_[spring.node] * group.substep_s);
-    }
 }
 
 BlockLdlt& DirectJoints::position_matrix() {
@@ -291,7 +267,7 @@ void DirectJoints::displace(JointGroup& group, double share, bool with_velocitie
         group.rows[i].displace(group.bodies, x_[i]);
         if (!with_velocities) continue;
         group.impulses[i] += x_[i] * per_substep;
-        if (holds_springs_) held_[i].x -= compliance_[i] * x_[i].x;
+        if (holds_springs_) held_[i] -= compliance_[i] * x_[i];
     }
     for (JointBody& body : group.bodies) {
         if (body.movable) {
@@ -308,85 +284,6 @@ void DirectJoints::displace(JointGroup& group, double share, bool with_velocitie
     for (JointBound& bound : group.bounds) {
         bound.impulse += x_[bound.node][bound.row] * per_substep;
     }
-}
-
-/// Leaves the springs' impulses, in view of what the joints will make of them, in x_.
-void DirectJoints::solve_springs(JointGroup& group) {
-    spring_matrix_.fit(group.topology->pattern);
-    factor(group, spring_matrix_);
-    for (const JointBound& bound : group.bounds) {
-        wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
-    }
-    for (std::size_t i = 0; i < group.rows.size(); ++i) {
-        const JointRows& rows = group.rows[i];
-        x_[i] = masked(wanted_[i] - bias_[i] - rows.speeds(group.bodies), rows.active);
-    }
-    solve_all(group, spring_matrix_);
-}
-
-/// Only what the springs themselves give: the joints' part is found once all forces are in.
-void DirectJoints::push_springs_only(JointGroup& group,
-                                     std::span<JointSpring> springs,
-                                     bool steadily) {
-    for (JointSpring& spring : springs) {
-        const double impulse_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0;
-        if (steadily) {
-            SpringLine(spring).push_steadily(spring, impulse_Ns);
-        } else {
-            group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
-        }
-        group.impulses[spring.node].x += impulse_Ns;
-        group.rows[spring.node].active = 0;
-    }
-}
-
-void DirectJoints::damp_springs(JointGroup& group, std::span<JointSpring> springs) {
-    bool any = false;
-    for (const JointSpring& spring : springs) {
-        const double inverse_mass = SpringLine(spring).inverse_mass;
-        if (!(spring.damping_Nspm > 0) || !(inverse_mass > 0)) continue;
-        any = true;
-        bias_[spring.node].x = 0;
-        compliance_[spring.node] = damping_row(spring, inverse_mass, group.substep_s).compliance;
-        group.rows[spring.node].active = 0b001;
-    }
-    if (!any) return;
-    const auto at_start = [&](const JointBody& body) {
-        return start_of_substep(body, group.substep_s);
-    };
-    group.with_motion(at_start, [&] { solve_springs(group); });
-    push_springs_only(group, springs, false);
-}
-
-void DirectJoints::push_springs(JointGroup& group,
-                                std::span<JointSpring> springs,
-                                double duration_s) {
-    if (springs.empty()) return;
-    compliance_.assign(group.rows.size(), 0.0);
-    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
-    damp_springs(group, springs);
-    for (JointSpring& spring : springs) {
-        spring.kept_Ns = spring.ahead_Ns = 0;
-        if (!(spring.stiffness_Npm > 0)) continue;
-        const SpringLine line(spring);
-        spring.extension_m = line.length_m - spring.rest_m;
-        const StiffRow row = push_row(spring, line, duration_s);
-        bias_[spring.node].x = row.bias_mps;
-        compliance_[spring.node] = row.compliance;
-    }
-    adjust_springs(group, springs);
-}
-
-void DirectJoints::adjust_springs(JointGroup& group, std::span<JointSpring> springs) {
-    for (const JointSpring& spring : springs) {
-        if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
-    }
-    group.with_motion(mean_motion_of, [&] { solve_springs(group); });
-    for (const JointSpring& spring : springs) {
-        if (!group.rows[spring.node].is_active(0)) continue;
-        bias_[spring.node].x += compliance_[spring.node] * x_[spring.node].x;
-    }
-    push_springs_only(group, springs, true);
 }
 
 }  // namespace plumbline::physics

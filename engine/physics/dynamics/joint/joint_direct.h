@@ -1,11 +1,20 @@
 // Joints solved exactly: one sparse factorisation a sub-step (docs/PHYSICS.md).
 #pragma once
 
-#include "engine/physics/dynamics/joint/block_ldlt.h"
+#include "engine/physics/dynamics/joint/block/block_ldlt.h"
 #include "engine/physics/dynamics/joint/geometric_stiffness.h"
+#include "engine/physics/dynamics/joint/joint_elastic.h"
 #include "engine/physics/dynamics/joint/joint_spring.h"
 
 namespace plumbline::physics {
+
+/// The springs of a group that are rows.
+struct StiffSprings {
+    std::vector<JointSpring> lines;
+    std::vector<ElasticBlock> blocks;
+
+    bool empty() const { return lines.empty() && blocks.empty(); }
+};
 
 class DirectJoints {
 public:
@@ -23,12 +32,12 @@ public:
     void hold_steady_changes(JointGroup& group);
     /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
     /// unresolved springs; velocities get what that took.
-    void correct_positions(JointGroup& group, std::span<JointSpring> springs);
+    void correct_positions(JointGroup& group, StiffSprings& springs);
     /// The damping of stiff springs and their push before the motion, in view of what the joints
     /// will make of it.
-    void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+    void push_springs(JointGroup& group, StiffSprings& springs, double duration_s);
     /// What contacts changed since that push, the springs take in view. Bodies have not moved.
-    void adjust_springs(JointGroup& group, std::span<JointSpring> springs);
+    void adjust_springs(JointGroup& group, StiffSprings& springs);
     /// As JointWork.
     double unresolved() const { return stiffness_.unresolved(); }
 
@@ -37,8 +46,8 @@ private:
     void factor(const JointGroup& group, BlockLdlt& matrix);
     void push_solution(JointGroup& group, const JointComponent& component);
     void hold_positions(JointGroup& group);
-    void hold_springs(JointGroup& group, std::span<const JointSpring> springs);
-    void release_springs(JointGroup& group, std::span<JointSpring> springs);
+    void hold_springs(JointGroup& group, const StiffSprings& springs);
+    void release_springs(JointGroup& group, StiffSprings& springs);
     void leave_eased(JointGroup& group);
     BlockLdlt& position_matrix();
     void factor_positions(const JointGroup& group) { factor(group, position_matrix()); }
@@ -48,9 +57,13 @@ private:
     double step_towards(JointGroup& group, double error);
     void keep_as_residual(JointGroup& group);
     void displace(JointGroup& group, double share, bool with_velocities);
+    void factor_springs(const JointGroup& group);
     void solve_springs(JointGroup& group);
+    void hold_late(JointGroup& group, const StiffSprings& springs);
+    static void activate(JointGroup& group, const StiffSprings& springs);
     void damp_springs(JointGroup& group, std::span<JointSpring> springs);
     void push_springs_only(JointGroup& group, std::span<JointSpring> springs, bool steadily);
+    void push_blocks_only(JointGroup& group, std::span<ElasticBlock> blocks);
 
     GeometricStiffness stiffness_;
     BlockLdlt matrix_;
@@ -62,6 +75,7 @@ private:
     std::vector<Vec3d> held_;         // errors that positions are corrected to
     std::vector<double> compliance_;  // of stiff springs, by node; 0: none
     std::vector<Vec3d> bias_;         // of stiff springs, by node
+    bool springs_factored_{false};    // with all of them, at the rows' latest refresh
     bool holds_springs_{false};       // positions are solved with unresolved springs' rows
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double kFullTurn_rad = 2.0 * glm::pi<double>();
 
 bool has_two_anchors(JointKind kind) {
-    return kind == JointKind::Distance || kind == JointKind::Spring;
+    return kind == JointKind::Distance || kind == JointKind::Spring || kind == JointKind::Elastic;
 }
 
 /// A frame whose x axis is `axis`: the shortest way there from the world's.
@@ -57,11 +57,15 @@ SolverJoint placed_joint(const JointDef& def, const MassPose& a, const MassPose&
     joint.anchor_in_b = b_from_world * (anchor_b - b.position_m);
     joint.frame_in_a = glm::normalize(a_from_world * frame);
     joint.frame_in_b = glm::normalize(b_from_world * frame);
+    if (def.straight) joint.frame_in_a = joint.frame_in_b = Quatd{1, 0, 0, 0};
     joint.limits = def.limits;
     joint.twist_limits = def.twist_limits;
     joint.motor = def.motor;
     joint.stiffness_Npm = def.stiffness_Npm;
     joint.damping_Nspm = def.damping_Nspm;
+    joint.bend_Nmprad = def.bend_Nmprad;
+    joint.damping_s = def.damping_s;
+    joint.pressed_decay_per_s = def.pressed_decay_per_s;
     joint.rest_length_m =
         def.rest_length_m.value_or(static_cast<Real>(glm::distance(anchor_a, anchor_b)));
     return joint;
@@ -121,8 +125,23 @@ JointFit joint_error(const SolverJoint& joint, const MassPose& a, const MassPose
                     .position = gap_m};
         case JointKind::Spring:
             return {.error_m = 0, .position = gap_m};
+        case JointKind::Elastic:
+            return {.error_m = joint.stiffness_Npm > 0 ? 0.0 : gap_m, .position = gap_m};
     }
     return {};
+}
+
+double stored_J(const SolverJoint& joint, const MassPose& a, const MassPose& b) {
+    if (!is_elastic(joint)) return 0;
+    const JointSides sides = joint_sides(joint, a, b);
+    const double gap_m = glm::length(sides.gap_m);
+    const bool is_line = joint.kind == JointKind::Spring;
+    const double stretch_m = is_line ? gap_m - static_cast<double>(joint.rest_length_m) : gap_m;
+    const double stretched_J =
+        0.5 * static_cast<double>(joint.stiffness_Npm) * stretch_m * stretch_m;
+    if (is_line || !(joint.bend_Nmprad > 0)) return stretched_J;
+    const double turn_rad = angle_of(sides.turned);
+    return stretched_J + 0.5 * static_cast<double>(joint.bend_Nmprad) * turn_rad * turn_rad;
 }
 
 }  // namespace plumbline::physics

@@ -42,5 +42,7 @@ struct JointFit {
 /// A hinge's angle is counted on from joint.position, which is that of the step before: it goes on
 /// past half a turn as long as no step turns it by more.
 JointFit joint_error(const SolverJoint& joint, const MassPose& a, const MassPose& b);
+/// What a spring or an elastic joint holds.
+double stored_J(const SolverJoint& joint, const MassPose& a, const MassPose& b);
 
 }  // namespace plumbline::physics

@@ -1,7 +1,7 @@
 // The joints of one island during one step: what both ways of solving them work on.
 #pragma once
 
-#include "engine/physics/dynamics/joint/block_ldlt.h"
+#include "engine/physics/dynamics/joint/block/block_ldlt.h"
 #include "engine/physics/dynamics/joint/joint_bounds.h"
 #include "engine/physics/dynamics/joint/joint_rows.h"
 

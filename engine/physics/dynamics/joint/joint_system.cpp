@@ -84,10 +84,10 @@ struct JointSystem::Impl {
     DirectJoints direct;
     IterativeJoints iterative;
     std::vector<JointSpring> soft_springs;
-    std::vector<JointSpring> stiff_springs;
+    StiffSprings stiff;
     std::vector<JointForm> forms;
     std::vector<double> spring_load;
-    std::vector<bool> stiff;
+    std::vector<bool> is_stiff;
     std::vector<Vec3d> noted_impulses;
     std::vector<double> noted_bounds;
     JointMethod method{JointMethod::Direct};
@@ -104,7 +104,7 @@ struct JointSystem::Impl {
     template <typename Visit>
     void for_springs(Visit visit) {
         for (JointSpring& spring : soft_springs) visit(spring);
-        for (JointSpring& spring : stiff_springs) visit(spring);
+        for (JointSpring& spring : stiff.lines) visit(spring);
     }
 };
 
@@ -112,11 +112,11 @@ void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
     const auto is_spring = [](const SolverJoint& joint) { return joint.kind == JointKind::Spring; };
     const bool any_spring = std::ranges::any_of(group.joints, is_spring);
     if (any_spring) {
-        find_stiff_springs(bodies, group.joints, group.substep_s, spring_load, stiff);
+        find_stiff_springs(bodies, group.joints, group.substep_s, spring_load, is_stiff);
     }
     forms.clear();
     for (std::size_t i = 0; i < group.joints.size(); ++i) {
-        forms.push_back(form_of(group.joints[i], any_spring && stiff[i]));
+        forms.push_back(form_of(group.joints[i], any_spring && is_stiff[i]));
     }
 }
 
@@ -136,23 +136,28 @@ void JointSystem::Impl::push_springs(double duration_s) {
         push_soft_spring(soft_springs[index], group.substep_s, duration_s, after_motion, group);
     }
     if (after_motion) {
-        for (JointSpring& spring : stiff_springs) push_second_half(spring, group);
+        for (JointSpring& spring : stiff.lines) push_second_half(spring, group);
+        for (ElasticBlock& block : stiff.blocks) push_rest(block, group);
     } else if (is_direct()) {
-        direct.push_springs(group, stiff_springs, duration_s);
+        direct.push_springs(group, stiff, duration_s);
     } else {
-        for (JointSpring& spring : stiff_springs) {
+        for (JointSpring& spring : stiff.lines) {
             damp_stiff_spring(spring, group);
             push_stiff_spring(spring, duration_s, group);
+        }
+        for (ElasticBlock& block : stiff.blocks) {
+            begin_push(block, group);
+            adjust_block(block, group);
         }
     }
 }
 
 /// Contacts changed the velocities since the push before the motion.
 void JointSystem::Impl::adjust_springs() {
-    if (stiff_springs.empty() || phase != Phase::Pushed) return;
-    if (is_direct()) return direct.adjust_springs(group, stiff_springs);
-    for (JointSpring& spring : stiff_springs)
-        adjust_stiff_spring(spring, group.substep_s / 2, group);
+    if (stiff.empty() || phase != Phase::Pushed) return;
+    if (is_direct()) return direct.adjust_springs(group, stiff);
+    for (JointSpring& spring : stiff.lines) adjust_stiff_spring(spring, group.substep_s / 2, group);
+    for (ElasticBlock& block : stiff.blocks) adjust_block(block, group);
 }
 
 void JointSystem::Impl::finish_joint(std::size_t index) {
@@ -195,7 +200,8 @@ void JointSystem::start(std::span<SolverBody> bodies,
     impl.method = group.topology->too_dear ? JointMethod::Iterative : method;
     group.start(bodies);
     list_soft_springs(group, impl.forms, impl.soft_springs);
-    list_stiff_springs(bodies, group, impl.stiff_springs);
+    list_stiff_springs(bodies, group, impl.stiff.lines);
+    list_elastic_blocks(group, impl.stiff.blocks);
     if (impl.is_direct()) {
         impl.direct.start(group);
     } else {
@@ -257,6 +263,7 @@ void JointSystem::return_impulses() {
 void JointSystem::end_impacts() {
     impl_->group.collect_totals();
     impl_->for_springs([](JointSpring& spring) { spring.before_Ns = 0; });
+    for (ElasticBlock& block : impl_->stiff.blocks) block.before = {0, 0, 0};
 }
 
 void JointSystem::begin_motion(bool hold_steady_changes) {
@@ -264,9 +271,10 @@ void JointSystem::begin_motion(bool hold_steady_changes) {
     if (hold_steady_changes && impl.is_direct()) impl.direct.hold_steady_changes(impl.group);
     bool any = false;
     impl.for_springs([&](const JointSpring& spring) { any = any || spring.ahead_Ns != 0; });
-    if (!any) return;
+    if (!any && impl.stiff.blocks.empty()) return;
     impl.group.read_velocities();
     impl.for_springs([&](JointSpring& spring) { SpringLine(spring).take_back_ahead(spring); });
+    for (ElasticBlock& block : impl.stiff.blocks) take_back_ahead(block, impl.group);
     impl.group.write_velocities();
 }
 
@@ -279,7 +287,7 @@ void JointSystem::correct_positions() {
         return;
     }
     impl.group.read_velocities();
-    impl.direct.correct_positions(impl.group, impl.stiff_springs);
+    impl.direct.correct_positions(impl.group, impl.stiff);
     impl.group.write_velocities();
     for (const JointBody& body : impl.group.bodies) body.write_pose();
 }
@@ -334,7 +342,7 @@ double JointSystem::most_speed() const {
 }
 
 bool JointSystem::has_stiff_springs() const {
-    return !impl_->stiff_springs.empty();
+    return !impl_->stiff.empty();
 }
 
 const JointWork& JointSystem::work() const {

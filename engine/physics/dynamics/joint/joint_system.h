@@ -34,6 +34,9 @@ struct SolverJoint {
     Real stiffness_Npm{0};
     Real damping_Nspm{0};
     Real rest_length_m{0};
+    Real bend_Nmprad{0};
+    Real damping_s{0};
+    Real pressed_decay_per_s{0};
 
     // Kept by the caller from step to step, in N and N m: mean loads of sub-steps, which fit sub-steps
     // of any length.
@@ -49,6 +52,11 @@ struct SolverJoint {
     double error_m{0};   ///< as JointState
     double position{0};  ///< as JointState
 };
+
+/// Whether it stores energy.
+inline bool is_elastic(const SolverJoint& joint) {
+    return joint.kind == JointKind::Spring || joint.kind == JointKind::Elastic;
+}
 
 /// Work and condition of the latest step.
 struct JointWork {

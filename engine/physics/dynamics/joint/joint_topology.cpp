@@ -229,6 +229,8 @@ JointForm form_of(const SolverJoint& joint, bool stiff_spring) {
             return {NodeKind::Length, NodeKind::None};
         case JointKind::Spring:
             return {stiff_spring ? NodeKind::Length : NodeKind::None, NodeKind::None};
+        case JointKind::Elastic:
+            return {NodeKind::Point, joint.bend_Nmprad > 0 ? NodeKind::Lock : NodeKind::None};
     }
     return {};
 }

@@ -2,7 +2,7 @@
 // as long as it comes again.
 #pragma once
 
-#include "engine/physics/dynamics/joint/block_pattern.h"
+#include "engine/physics/dynamics/joint/block/block_pattern.h"
 #include "engine/physics/dynamics/joint/joint_system.h"
 
 #include <memory>

@@ -159,7 +159,7 @@ TEST(SubstepChoice, ReasonsHaveNamesOfTheirOwn) {
     std::set<std::string_view> names;
     for (int i = 0; i <= static_cast<int>(SubstepReason::Held); ++i)
         names.insert(reason_name(static_cast<SubstepReason>(i)));
-    EXPECT_EQ(names.size(), 8U);
+    EXPECT_EQ(names.size(), 9U);
     EXPECT_EQ(names.count(""), 0U);
     EXPECT_EQ(reason_name(SubstepReason::Least), "least");
     EXPECT_EQ(reason_name(SubstepReason::Held), "held");

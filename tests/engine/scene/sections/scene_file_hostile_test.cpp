@@ -75,7 +75,8 @@ TEST_F(SceneFileHostile, DeepNesting) {
         "effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, hard_case, "
         "joint, "
         "material, "
-        "player, post, prefab, scene, sky, sound, sun, time, view, water, wind, wind_zone, world");
+        "player, post, prefab, rope, scene, sky, sound, sun, time, view, water, wind, wind_zone, "
+        "world");
 }
 
 TEST_F(SceneFileHostile, ManyDottedParts) {

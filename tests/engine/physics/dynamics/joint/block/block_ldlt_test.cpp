@@ -1,6 +1,6 @@
-#include "engine/physics/dynamics/joint/block_ldlt.h"
+#include "engine/physics/dynamics/joint/block/block_ldlt.h"
 
-#include "tests/engine/physics/dynamics/joint/block_graphs.h"
+#include "tests/engine/physics/dynamics/joint/block/block_graphs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/physics/dynamics/joint/block_ldlt.h"
+#include "engine/physics/dynamics/joint/block/block_ldlt.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "engine/physics/dynamics/joint/block_pattern.h"
+#include "engine/physics/dynamics/joint/block/block_pattern.h"
 
-#include "tests/engine/physics/dynamics/joint/block_graphs.h"
+#include "tests/engine/physics/dynamics/joint/block/block_graphs.h"
 
 #include <gtest/gtest.h>
 

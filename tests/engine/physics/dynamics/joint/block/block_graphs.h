@@ -1,7 +1,7 @@
 // Graphs of blocks, for tests of what eliminates them.
 #pragma once
 
-#include "engine/physics/dynamics/joint/block_pattern.h"
+#include "engine/physics/dynamics/joint/block/block_pattern.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // A sparse symmetric positive matrix of 3x3 blocks, factored as L D L^T.
 #pragma once
 
-#include "engine/physics/dynamics/joint/block3.h"
-#include "engine/physics/dynamics/joint/block_pattern.h"
+#include "engine/physics/dynamics/joint/block/block3.h"
+#include "engine/physics/dynamics/joint/block/block_pattern.h"
 
 namespace plumbline::physics {
 

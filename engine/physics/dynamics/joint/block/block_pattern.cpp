@@ -1,4 +1,4 @@
-#include "engine/physics/dynamics/joint/block_pattern.h"
+#include "engine/physics/dynamics/joint/block/block_pattern.h"
 
 #include "engine/core/assert.h"
 

@@ -1,0 +1,72 @@
+// Ropes. Their pieces are bodies that the physics solves; this row switches them.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+#include "engine/scene/simulation/entity_lookup.h"
+
+namespace plumbline::effects {
+namespace {
+
+/// While it does not live, ropes stand still as they are.
+class RopeEffect final : public Effect {
+public:
+    explicit RopeEffect(scene::Simulation& simulation) : simulation_(simulation) { stop(false); }
+    ~RopeEffect() override { stop(true); }
+    RopeEffect(const RopeEffect&) = delete;
+    RopeEffect& operator=(const RopeEffect&) = delete;
+
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        const auto& described = simulation.description().forces.ropes;
+        for (std::size_t i = 0; i < simulation.ropes().size(); ++i) {
+            const scene::Rope& rope = simulation.ropes()[i];
+            std::uint64_t awake = 0;
+            for (const physics::BodyId piece : rope.pieces) {
+                if (simulation.physics.contains(piece) && simulation.physics.state(piece).awake)
+                    ++awake;
+            }
+            work_.calls += awake;
+            if (awake > 0 && described[i].stiffness_N > 0) show_stretch(rope);
+        }
+    }
+
+private:
+    /// Pieces are drawn as long as their share of the rope is now.
+    void show_stretch(const scene::Rope& rope) {
+        const std::vector<Vec3d> points = simulation_.points_of(rope);
+        if (points.size() != rope.pieces.size() + 1) return;
+        for (std::size_t i = 0; i < rope.pieces.size(); ++i) {
+            const ecs::Entity entity = scene::entity_of(simulation_, rope.pieces[i]);
+            const double length_m = glm::distance(points[i], points[i + 1]);
+            simulation_.registry.get<scene::Transform>(entity).scale.y =
+                static_cast<Real>(length_m / rope.piece_m);
+        }
+    }
+
+    void stop(bool stopped) {
+        simulation_.registry.view<scene::RopePiece, const scene::BodyRef>().each(
+            [&](ecs::Entity, scene::RopePiece& piece, const scene::BodyRef& ref) {
+                if (piece.stopped == stopped) return;
+                // What a player froze stays so.
+                if (stopped && simulation_.physics.state(ref.body).frozen) return;
+                piece.stopped = stopped;
+                simulation_.physics.set_frozen(ref.body, stopped);
+            });
+    }
+
+    scene::Simulation& simulation_;
+};
+
+Callers callers_of_ropes(const scene::Simulation& simulation) {
+    if (!simulation.switches.is_on("rope", true)) return {};
+    Callers callers;
+    for (const scene::RopeDescription& rope : simulation.description().forces.ropes)
+        callers.push_back(setting("[[rope]] " + rope.name, rope.location));
+    return callers;
+}
+
+}  // namespace
+
+EffectRow rope() {
+    return with_effect<RopeEffect>({.called_for_by = &callers_of_ropes});
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,179 @@
+// Stiff springs and elastic joints as rows of the direct solve.
+#include "engine/physics/dynamics/joint/joint_direct.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+/// Springs whose bodies turn, and all elastic blocks, are solved at the end of the motion: their force is the one that
+/// belongs to the length there, however far the bodies turned.
+void DirectJoints::hold_springs(JointGroup& group, const StiffSprings& springs) {
+    holds_springs_ = false;
+    for (const JointSpring& spring : springs.lines) {
+        if (spring.turns && spring.stiffness_Npm > 0) {
+            group.rows[spring.node].active = 0b001;
+            held_[spring.node].x = spring.extension_m - group.substep_s * bias_[spring.node].x;
+            holds_springs_ = true;
+        } else {
+            compliance_[spring.node] = 0;
+        }
+    }
+    for (const ElasticBlock& block : springs.blocks) {
+        group.rows[block.node].active = 0b111;
+        held_[block.node] = block.extension - group.substep_s * bias_[block.node];
+        holds_springs_ = true;
+    }
+    // Else the factor is still the one that their push was found with.
+    if (holds_springs_ && !(springs.lines.empty() && group.bounds.empty())) factor_positions(group);
+}
+
+void DirectJoints::release_springs(JointGroup& group, StiffSprings& springs) {
+    if (!holds_springs_) return;
+    holds_springs_ = false;
+    for (JointSpring& spring : springs.lines) {
+        if (!group.rows[spring.node].is_active(0)) continue;
+        group.rows[spring.node].active = 0;
+        const double target_m = spring.extension_m - group.substep_s * bias_[spring.node].x;
+        spring.kept_Ns +=
+            (target_m - held_[spring.node].x) / (compliance_[spring.node] * group.substep_s);
+    }
+    for (ElasticBlock& block : springs.blocks) {
+        group.rows[block.node].active = 0;
+        const Vec3d target = block.extension - group.substep_s * bias_[block.node];
+        block.kept += (target - held_[block.node]) / (compliance_[block.node] * group.substep_s);
+        held_[block.node] = {0, 0, 0};
+    }
+}
+
+void DirectJoints::factor_springs(const JointGroup& group) {
+    if (springs_factored_ && group.bounds.empty()) return;
+    spring_matrix_.fit(group.topology->pattern);
+    factor(group, spring_matrix_);
+    springs_factored_ = true;
+}
+
+/// Leaves the springs' impulses, in view of what the joints will make of them, in x_.
+void DirectJoints::solve_springs(JointGroup& group) {
+    factor_springs(group);
+    for (const JointBound& bound : group.bounds) {
+        wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+    }
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        x_[i] = masked(wanted_[i] - bias_[i] - rows.speeds(group.bodies), rows.active);
+    }
+    solve_all(group, spring_matrix_);
+}
+
+/// Only what the springs themselves give: the joints' part is found once all forces are in.
+void DirectJoints::push_springs_only(JointGroup& group,
+                                     std::span<JointSpring> springs,
+                                     bool steadily) {
+    for (JointSpring& spring : springs) {
+        const double impulse_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0;
+        if (steadily) {
+            SpringLine(spring).push_steadily(spring, impulse_Ns);
+        } else {
+            group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
+        }
+        group.impulses[spring.node].x += impulse_Ns;
+        group.rows[spring.node].active = 0;
+    }
+}
+
+void DirectJoints::damp_springs(JointGroup& group, std::span<JointSpring> springs) {
+    bool any = false;
+    for (const JointSpring& spring : springs) {
+        const double inverse_mass = SpringLine(spring).inverse_mass;
+        if (!(spring.damping_Nspm > 0) || !(inverse_mass > 0)) continue;
+        any = true;
+        bias_[spring.node].x = 0;
+        compliance_[spring.node] = damping_row(spring, inverse_mass, group.substep_s).compliance;
+        group.rows[spring.node].active = 0b001;
+    }
+    if (!any) return;
+    const auto at_start = [&](const JointBody& body) {
+        return start_of_substep(body, group.substep_s);
+    };
+    group.with_motion(at_start, [&] { solve_springs(group); });
+    push_springs_only(group, springs, false);
+}
+
+/// At rest forces and steady changes cancel. Bodies have half of the way of what is left of the steady change: of what springs
+/// take at once, as much as they still push after the motion. Else bodies would rest on late ones with a speed.
+void DirectJoints::hold_late(JointGroup& group, const StiffSprings& springs) {
+    const auto is_late = [](const ElasticBlock& block) { return block.share > 0.5; };
+    if (std::ranges::none_of(springs.blocks, is_late)) return;
+    activate(group, springs);
+    group.with_motion(steady_change_of, [&] {
+        factor_springs(group);
+        for (std::size_t i = 0; i < group.rows.size(); ++i) {
+            const JointRows& rows = group.rows[i];
+            x_[i] = masked(-rows.speeds(group.bodies), rows.active);
+        }
+        solve_all(group, spring_matrix_);
+        for (const ElasticBlock& block : springs.blocks) x_[block.node] *= 2 * block.share - 1;
+        for (const JointSpring& spring : springs.lines) x_[spring.node].x = 0;
+        for (std::size_t i = 0; i < group.rows.size(); ++i) group.rows[i].push(group.bodies, x_[i]);
+        for (const JointBody& body : group.bodies) {
+            body.body->velocity_increment_mps = Vec3(body.velocity_mps);
+            body.body->spin_increment_radps = Vec3(body.spin_radps);
+        }
+    });
+}
+
+void DirectJoints::activate(JointGroup& group, const StiffSprings& springs) {
+    for (const JointSpring& spring : springs.lines) {
+        if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
+    }
+    for (const ElasticBlock& block : springs.blocks) group.rows[block.node].active = 0b111;
+}
+
+void DirectJoints::push_blocks_only(JointGroup& group, std::span<ElasticBlock> blocks) {
+    for (ElasticBlock& block : blocks) {
+        push_steadily(block, x_[block.node], group);
+        group.impulses[block.node] += x_[block.node];
+        group.rows[block.node].active = 0;
+    }
+}
+
+void DirectJoints::push_springs(JointGroup& group, StiffSprings& springs, double duration_s) {
+    if (springs.empty()) return;
+    compliance_.assign(group.rows.size(), 0.0);
+    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
+    springs_factored_ = false;
+    damp_springs(group, springs.lines);
+    springs_factored_ = false;
+    for (JointSpring& spring : springs.lines) {
+        spring.kept_Ns = spring.ahead_Ns = 0;
+        if (!(spring.stiffness_Npm > 0)) continue;
+        const SpringLine line(spring);
+        spring.extension_m = line.length_m - spring.rest_m;
+        const StiffRow row = push_row(spring, line, duration_s);
+        bias_[spring.node].x = row.bias_mps;
+        compliance_[spring.node] = row.compliance;
+    }
+    for (ElasticBlock& block : springs.blocks) {
+        begin_push(block, group);
+        const BlockRow row = push_row(block, group.substep_s);
+        bias_[block.node] = row.bias;
+        compliance_[block.node] = row.compliance;
+    }
+    hold_late(group, springs);
+    adjust_springs(group, springs);
+}
+
+void DirectJoints::adjust_springs(JointGroup& group, StiffSprings& springs) {
+    activate(group, springs);
+    group.with_motion(mean_motion_of, [&] { solve_springs(group); });
+    for (const JointSpring& spring : springs.lines) {
+        if (!group.rows[spring.node].is_active(0)) continue;
+        bias_[spring.node].x += compliance_[spring.node] * x_[spring.node].x;
+    }
+    for (const ElasticBlock& block : springs.blocks)
+        bias_[block.node] += compliance_[block.node] * x_[block.node];
+    push_springs_only(group, springs.lines, true);
+    push_blocks_only(group, springs.blocks);
+}
+
+}  // namespace plumbline::physics
