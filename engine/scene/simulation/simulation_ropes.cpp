@@ -14,8 +14,6 @@ namespace {
 
 constexpr int kMostPieces = 200;
 constexpr int kHeldPieces = 3;  // next to an end: these may begin inside what holds it
-/// Of a piece's moment across: thinner ones would twist faster than sub-steps follow.
-constexpr double kLeastTwist = 0.05;
 constexpr Real kPressedDecay_per_s = 2000;
 
 /// As many as the fidelity asks for, at least by number and at most by length; no piece is thicker than long.
@@ -34,11 +32,12 @@ int pieces_of(const RopeDescription& rope, Fidelity fidelity) {
 
 EntityDescription piece_of(const RopeDescription& rope, std::size_t pieces, double piece_m) {
     const double mass_kg = rope.mass_kg / static_cast<double>(pieces);
-    const double across = mass_kg * (piece_m * piece_m / 12 + rope.radius_m * rope.radius_m / 4);
-    const double along = mass_kg * rope.radius_m * rope.radius_m / 2;
+    // About its axis too: rope twists less than a rod of its thickness, and round bodies turn at less cost.
+    const double moment_kgm2 =
+        mass_kg * (piece_m * piece_m / 12 + rope.radius_m * rope.radius_m / 4);
     BodyDescription body;
     body.mass_kg = static_cast<Real>(mass_kg);
-    body.inertia_kgm2 = Vec3(Vec3d{across, std::max(along, kLeastTwist * across), across});
+    body.inertia_kgm2 = Vec3(static_cast<Real>(moment_kgm2));
     body.friction = static_cast<Real>(rope.friction);
     body.restitution = Real{0};
     // A piece swept along a surface that it slides on would stop the whole rope there.

@@ -301,11 +301,8 @@ constexpr std::array kReferences{
                    &swings_by_itself},
     FieldReference{
         "rope", "tone of a string", "2 L sqrt(m / (L T))", kByFidelity, &sounds_as_string},
-    FieldReference{"rope",
-                   "sag of a rod on two pins",
-                   "5 m g L^3 / (384 E I)",
-                   kByFidelity,
-                   &bends_as_beam},
+    FieldReference{
+        "rope", "sag of a rod on two pins", "5 m g L^3 / (384 E I)", kByFidelity, &bends_as_beam},
     FieldReference{"rope",
                    "weight held by half a turn on a post",
                    "e^(mu pi)",

@@ -192,7 +192,9 @@ bool GeometricStiffness::raise_moments(JointGroup& group, std::size_t index, boo
         if (!(body.moments[k] > 0)) continue;
         kept[k] = std::min(1.0, body.effective_inertia[k] / wanted_moment(group, index, k));
     }
-    if (std::min({kept.x, kept.y, kept.z}) * kNoticeable > 1) return false;
+    const double least = std::min({kept.x, kept.y, kept.z});
+    if (least * kNoticeable > 1) return false;
+    if (body.round) kept = Vec3d(least);  // it stays so: its axes are the world's
     body.set_effective_inertia(body.effective_inertia / kept);
     if (slow_down) body.slow_down(kept, group.substep_s);
     body.update_inertia();
@@ -272,6 +274,7 @@ void GeometricStiffness::lower(JointGroup& group) {
         for (int k = 0; k < 3; ++k) {
             felt[k] = std::min(body.effective_inertia[k], wanted_moment(group, i, k));
         }
+        if (body.round) felt = Vec3d(std::max({felt.x, felt.y, felt.z}));
         body.set_effective_inertia(felt);
         body.update_inertia();
         raised_ = raised_ || felt != body.moments;

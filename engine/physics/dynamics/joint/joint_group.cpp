@@ -48,6 +48,10 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
         body.read_pose();
         body.update_inertia();
     }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (joints[i].kind != JointKind::Elastic) continue;
+        for (const std::uint32_t end : topology->sides[i]) bodies[end].of_rod = true;
+    }
     island_ = island_bodies;
     find_pieces();
     rows.clear();

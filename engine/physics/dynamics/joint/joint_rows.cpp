@@ -107,11 +107,10 @@ void JointBody::write_pose() const {
 
 void JointBody::update_inertia() {
     if (!movable) return;
-    if (round) {
-        inverse_inertia = {inverse_moments.x, 0, 0, inverse_moments.y, 0, inverse_moments.z};
-        return;
-    }
-    inverse_inertia = in_world(inverse_moments, axes);
+    inverse_inertia =
+        round ? Symmetric3{inverse_moments.x, 0, 0, inverse_moments.x, 0, inverse_moments.x}
+              : in_world(inverse_moments, axes);
+    if (round && !of_rod) return;
     const auto real = [](double value) { return static_cast<Real>(value); };
     body->inverse_inertia = {real(inverse_inertia.xx),
                              real(inverse_inertia.xy),

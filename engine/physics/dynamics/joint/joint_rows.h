@@ -33,6 +33,8 @@ struct JointBody {
     Vec3d effective_inertia{0, 0, 0};  ///< what joints feel: geometric_stiffness.h
     Vec3d inverse_moments{0, 0, 0};    ///< of effective_inertia; 0 where they are 0
     bool round{true};
+    bool of_rod{
+        false};  ///< an elastic joint holds it: contacts feel the inertia that joints feel, also where it is round
     bool movable{false};
     SolverBody* body{nullptr};
 
