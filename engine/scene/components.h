@@ -10,6 +10,7 @@
 #include "engine/physics/body.h"
 #include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/environment/trigger_description.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -118,12 +119,12 @@ struct ContactAppearance {
     bool touches{false};
 };
 
-/// A volume in which a prefab appears when a body comes in.
+/// A volume in which something happens when a body comes in.
 struct TriggerVolume {
     physics::ShapeId shape{};
-    std::string spawn;            ///< prefab of the scene
-    Vec3 at_m{0, 0, 0};           ///< world
-    std::vector<std::string> of;  ///< names that count; none: every moving body
+    double radius_m{0};    ///< of a ball round it, about the entity's origin
+    double thinnest_m{0};  ///< what moves farther in a step may pass through
+    TriggerDescription says;
     int times_left{1};
     std::vector<physics::BodyId> inside;  ///< after the latest step; sorted
 };

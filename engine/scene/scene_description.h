@@ -13,6 +13,7 @@
 #include "engine/physics/shape.h"
 #include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/environment/trigger_description.h"
 #include "engine/scene/hard_case_description.h"
 #include "engine/scene/nature_description.h"
 #include "engine/scene/screen_effects_description.h"
@@ -235,13 +236,6 @@ struct MotionDescription {
 };
 
 /// A volume, that of the entity's primitive, in which something happens when a body comes in.
-struct TriggerDescription {
-    std::string spawn;            ///< prefab that appears
-    Vec3 at_m{0, 0, 0};           ///< there
-    std::vector<std::string> of;  ///< entities that count; none: every moving body
-    int times{1};                 ///< how often at most
-};
-
 struct EntityDescription {
     std::string name;
     std::string label;  ///< what a person reads: "clay pot"; empty: the name stands for it

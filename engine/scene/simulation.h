@@ -184,7 +184,9 @@ public:
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
-    ForceFields force_fields;  ///< of the effects there are
+    std::vector<std::string> messages;     ///< for the player, since the game took them
+    std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
+    ForceFields force_fields;              ///< of the effects there are
     /// By the description's waters, while effect water lives: null where the surface is flat.
     std::vector<std::unique_ptr<WaveField>> waves;
     ContactListeners contact_listeners;  ///< contact events are made while there are any

@@ -229,6 +229,8 @@ void PlaygroundGame::zoom(const Actions& actions) {
 }
 
 void PlaygroundGame::judge(scene::Simulation& simulation) {
+    for (std::string& message : simulation.messages) say(std::move(message));
+    simulation.messages.clear();
     if (goal_) {
         if (const auto ended = goal_->judge(simulation)) say(*ended);
     }

@@ -45,9 +45,13 @@ public:
         const double now_s = simulation.time_s() - kRounding * step_s;
         for (const scene::ExplosionDescription& charge :
              simulation.description().forces.explosions) {
-            if (charge.at_s && *charge.at_s >= now_s && *charge.at_s < now_s + step_s)
+            const bool is_time =
+                charge.at_s && *charge.at_s >= now_s && *charge.at_s < now_s + step_s;
+            if (is_time || std::ranges::find(simulation.charges_lit, charge.name) !=
+                               simulation.charges_lit.end())
                 go_off(simulation, charge);
         }
+        simulation.charges_lit.clear();
     }
 
 private:

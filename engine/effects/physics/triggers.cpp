@@ -1,53 +1,70 @@
-// Volumes in which a prefab appears when a body comes in. They stop nothing.
+// Volumes in which something happens when a body comes in: once for each time that it does, however fast it is. They stop nothing.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::effects {
 namespace {
 
+using physics::BodyId;
+using scene::TriggerVolume;
+
+/// Places along a step's way at which a fast body is looked for, at most.
+constexpr double kMostPlaces = 256;
+
 class Triggers final : public Effect {
 public:
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        std::vector<scene::EntityDescription> wanted;
+        // All volumes see the world as the step left it; what follows from it comes after.
+        struct Event {
+            double when{1};
+            ecs::Entity volume{};
+            BodyId body{};
+        };
+        std::vector<Event> events;
         for (auto [entity, volume, transform] :
-             simulation.registry.view<scene::TriggerVolume, const scene::Transform>()) {
-            std::vector<physics::BodyId> inside =
-                bodies_in(simulation, volume, transform.world_from_body);
-            for (const physics::BodyId body : inside) {
+             simulation.registry.view<TriggerVolume, const scene::Transform>()) {
+            std::vector<BodyId> inside = bodies_in(simulation, volume, transform.world_from_body);
+            for (const auto& [when, body] :
+                 came_in(simulation, volume, transform.world_from_body, inside)) {
                 if (volume.times_left == 0) break;
-                if (std::ranges::binary_search(volume.inside, body)) continue;
                 --volume.times_left;
-                scene::EntityDescription made = simulation.description().prefabs.at(volume.spawn);
-                made.world_from_body.position = volume.at_m;
-                wanted.push_back(std::move(made));
+                events.push_back({when, entity, body});
             }
             volume.inside = std::move(inside);
         }
-        for (const scene::EntityDescription& description : wanted) {
-            simulation.spawn(description);
+        std::ranges::stable_sort(events, {}, &Event::when);
+        for (const Event& event : events) {
+            // A copy: what is made may move the component.
+            const scene::TriggerDescription says =
+                simulation.registry.get<TriggerVolume>(event.volume).says;
+            act(simulation, says, event.body);
             ++work_.calls;
         }
     }
 
 private:
+    using Entry = std::pair<double, BodyId>;  ///< when in the step, and who
+
     static bool counts(const scene::Simulation& simulation,
-                       const scene::TriggerVolume& volume,
-                       physics::BodyId body) {
+                       const TriggerVolume& volume,
+                       BodyId body) {
         if (simulation.physics.state(body).kind != physics::BodyKind::Dynamic) return false;
         const ecs::Entity entity = entity_of(simulation, body);
         if (!simulation.registry.alive(entity)) return false;
         const std::string& name = simulation.registry.get<scene::Name>(entity).text;
-        return volume.of.empty() || std::ranges::find(volume.of, name) != volume.of.end();
+        const std::vector<std::string>& of = volume.says.of;
+        return of.empty() || std::ranges::find(of, name) != of.end();
     }
 
-    static std::vector<physics::BodyId> bodies_in(const scene::Simulation& simulation,
-                                                  const scene::TriggerVolume& volume,
-                                                  const Pose& pose) {
-        std::vector<physics::BodyId> bodies;
+    static std::vector<BodyId> bodies_in(const scene::Simulation& simulation,
+                                         const TriggerVolume& volume,
+                                         const Pose& pose) {
+        std::vector<BodyId> bodies;
         for (const physics::OverlapHit& hit :
              physics::overlaps(simulation.physics, volume.shape, pose, Real{0})) {
             if (counts(simulation, volume, hit.body)) bodies.push_back(hit.body);
@@ -56,12 +73,98 @@ private:
         bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
         return bodies;
     }
+
+    static std::vector<Entry> came_in(const scene::Simulation& simulation,
+                                      const TriggerVolume& volume,
+                                      const Pose& pose,
+                                      const std::vector<BodyId>& inside) {
+        const auto was_inside = [&volume](BodyId body) {
+            return std::ranges::binary_search(volume.inside, body);
+        };
+        std::vector<Entry> entries;
+        for (const BodyId body : inside) {
+            if (!was_inside(body)) entries.emplace_back(1, body);
+        }
+        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+            if (!simulation.physics.contains(moving.body) || was_inside(moving.body)) continue;
+            const std::optional<double> when = passed_at(simulation, volume, pose, moving);
+            if (!when || !counts(simulation, volume, moving.body)) continue;
+            const auto known = std::ranges::find(entries, moving.body, &Entry::second);
+            if (known == entries.end())
+                entries.emplace_back(*when, moving.body);
+            else
+                known->first = *when;
+        }
+        return entries;
+    }
+
+    /// When a body that moved farther than the volume is thick was first in it. The volume is moved instead of the body:
+    /// where it would have to be for the body to meet it now as it did then.
+    static std::optional<double> passed_at(const scene::Simulation& simulation,
+                                           const TriggerVolume& volume,
+                                           const Pose& pose,
+                                           const scene::MovingBody& moving) {
+        const auto* previous = simulation.registry.find<scene::PreviousTransform>(moving.entity);
+        if (previous == nullptr || !moving.awake) return {};
+        const Vec3d from(previous->world_from_body.position);
+        const Vec3d to(simulation.physics.state(moving.body).world_from_body.position);
+        const Vec3d way = to - from;
+        const double length_m = glm::length(way);
+        if (length_m <= volume.thinnest_m) return {};
+        const Vec3d center(pose.position);
+        const double nearest =
+            std::clamp(glm::dot(center - from, way) / (length_m * length_m), 0.0, 1.0);
+        if (glm::distance(center, from + way * nearest) >
+            volume.radius_m + physics::radius_m(simulation.physics, moving.body))
+            return {};
+        const double inner_m = static_cast<double>(moving.inner_radius_m);
+        const double places =
+            std::clamp(std::ceil(length_m / (volume.thinnest_m / 2 + inner_m)), 2.0, kMostPlaces);
+        for (double place = 0; place < places; ++place) {
+            Pose there = pose;
+            there.position += Vec3(way * (1 - place / places));
+            const auto hits = physics::overlaps(simulation.physics, volume.shape, there, Real{0});
+            if (std::ranges::find(hits, moving.body, &physics::OverlapHit::body) != hits.end())
+                return place / places;
+        }
+        return {};
+    }
+
+    static void turn_light(scene::Simulation& simulation, ecs::Entity lamp) {
+        auto* light = simulation.registry.find<scene::PointLight>(lamp);
+        if (light == nullptr) return;
+        light->on =
+            light->on == scene::LampOn::Always ? scene::LampOn::Never : scene::LampOn::Always;
+    }
+
+    static void act(scene::Simulation& simulation,
+                    const scene::TriggerDescription& says,
+                    BodyId body) {
+        if (!says.spawn.empty()) {
+            scene::EntityDescription made = simulation.description().prefabs.at(says.spawn);
+            made.world_from_body.position = says.at_m;
+            simulation.spawn(made);
+        }
+        if (says.impulse_Ns && simulation.physics.contains(body))
+            simulation.physics.apply_impulse(body, *says.impulse_Ns);
+        if (says.gravity_mps2) {
+            physics::WorldDef world = simulation.physics.def();
+            world.gravity_mps2 = *says.gravity_mps2;
+            simulation.set_accuracy(world);
+        }
+        if (!says.explode.empty()) simulation.charges_lit.push_back(says.explode);
+        if (const ecs::Entity lamp = simulation.find(says.light); simulation.registry.alive(lamp))
+            turn_light(simulation, lamp);
+        if (!says.message.empty()) simulation.messages.push_back(says.message);
+        if (says.remove && simulation.physics.contains(body))
+            simulation.registry.destroy(entity_of(simulation, body));
+    }
 };
 
 }  // namespace
 
 EffectRow triggers() {
-    return with_effect<Triggers>({.called_for_by = &entities_with<scene::TriggerVolume>});
+    return with_effect<Triggers>({.called_for_by = &entities_with<TriggerVolume>});
 }
 
 }  // namespace plumbline::effects

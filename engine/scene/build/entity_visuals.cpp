@@ -56,13 +56,17 @@ void EntityBuilder::add_trigger(const EntityDescription& description, ecs::Entit
     const Result<BuiltShape> shape =
         shapes_.make(scaled(shape_of_primitive(*primitive), description.scale), notes);
     if (!shape) return warn_once(shape.error().message);
-    const TriggerDescription& trigger = *description.trigger;
-    simulation_.registry.add<TriggerVolume>(entity,
-                                            TriggerVolume{.shape = shape->id,
-                                                          .spawn = trigger.spawn,
-                                                          .at_m = trigger.at_m,
-                                                          .of = trigger.of,
-                                                          .times_left = trigger.times});
+    Vec3 min{0, 0, 0};
+    Vec3 max{0, 0, 0};
+    bounds_of(scaled(shape_of_primitive(*primitive), description.scale), min, max);
+    const Vec3d size_m(max - min);
+    simulation_.registry.add<TriggerVolume>(
+        entity,
+        TriggerVolume{.shape = shape->id,
+                      .radius_m = glm::length(glm::max(glm::abs(Vec3d(min)), glm::abs(Vec3d(max)))),
+                      .thinnest_m = std::min({size_m.x, size_m.y, size_m.z}),
+                      .says = *description.trigger,
+                      .times_left = description.trigger->times});
 }
 
 }  // namespace plumbline::scene

@@ -58,7 +58,8 @@ struct WaterDescription {
 
 /// `[[explosion]]`.
 struct ExplosionDescription {
-    std::optional<double> at_s{};  ///< none: nobody sets it off by time
+    std::string name;              ///< triggers set it off by it
+    std::optional<double> at_s{};  ///< none: no time sets it off
     Vec3 position_m{0, 0, 0};
     Real impulse_Ns{1000};  ///< over the whole sphere
     Real reach_m{30};       ///< to a body's surface

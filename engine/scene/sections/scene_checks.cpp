@@ -122,14 +122,28 @@ void check_triggers(const SceneDescription& scene, LoadContext& context) {
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
         const auto& trigger = scene.entities[i].trigger;
         if (!trigger) continue;
-        for (const std::string& name : trigger->of) {
-            if (names.find(name) || name.find('#') != std::string::npos) continue;
+        const auto missing = [&](const char* key, const std::string& what) {
             context.faults.warning(context.entity_locations[i],
-                                   fmt::format("entity[{}].trigger.of", i),
-                                   "no entity is called \"{}\"{}",
-                                   shown(name),
-                                   names.hint(name));
+                                   fmt::format("entity[{}].trigger.{}", i, key),
+                                   "no {}",
+                                   what);
+        };
+        const auto called = [&names](const std::string& name) {
+            const std::string hint = names.find(name) ? std::string() : names.hint(name);
+            return fmt::format(" is called \"{}\"{}", shown(name), hint);
+        };
+        for (const std::string& name : trigger->of) {
+            if (!names.find(name) && name.find('#') == std::string::npos)
+                missing("of", "entity" + called(name));
         }
+        const auto light = names.find(trigger->light);
+        if (!trigger->light.empty() && !(light && light->entity->light))
+            missing("light", "entity with a light" + called(trigger->light));
+        const auto is_named = [&trigger](const ExplosionDescription& charge) {
+            return charge.name == trigger->explode;
+        };
+        if (!trigger->explode.empty() && std::ranges::none_of(scene.forces.explosions, is_named))
+            missing("explode", fmt::format("explosion is called \"{}\"", shown(trigger->explode)));
     }
 }
 

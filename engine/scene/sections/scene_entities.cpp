@@ -55,16 +55,31 @@ void read_motion(TableReader& table, MotionDescription& motion) {
 }
 
 void read_trigger(TableReader& table, TriggerDescription& trigger, const LoadContext& context) {
-    table.require("spawn", "the name of a prefab");
     table.read("spawn", trigger.spawn);
-    if (table.has("spawn") && !context.prefabs.contains(trigger.spawn)) {
-        const std::string hint = suggestion(trigger.spawn, context.prefabs);
-        table.error("spawn", "no prefab is called \"{}\"{}", shown(trigger.spawn), hint);
+    if (table.has("spawn")) {
+        if (!context.prefabs.contains(trigger.spawn)) {
+            const std::string hint = suggestion(trigger.spawn, context.prefabs);
+            table.error("spawn", "no prefab is called \"{}\"{}", shown(trigger.spawn), hint);
+        }
+        table.require("at_m", "where it appears");
     }
-    table.require("at_m", "where it appears");
     table.read("at_m", trigger.at_m, kCoordinate_m);
     table.read("of", trigger.of);
     table.read("times", trigger.times, 1, 10'000);
+    table.read("remove", trigger.remove);
+    table.read("impulse_Ns", trigger.impulse_Ns, {-1e9, 1e9, "N s from -1e9 to 1e9"});
+    table.read("gravity_mps2", trigger.gravity_mps2, {-1e3, 1e3, "m/s2 from -1000 to 1000"});
+    for (const auto& [key, text] : {std::pair{"explode", &trigger.explode},
+                                    std::pair{"light", &trigger.light},
+                                    std::pair{"message", &trigger.message}})
+        table.read(key, *text);
+    constexpr std::array kActions{
+        "spawn", "remove", "impulse_Ns", "gravity_mps2", "explode", "light", "message"};
+    if (std::ranges::none_of(kActions, [&table](const char* key) { return table.has(key); }))
+        table.faults().error(table.location(),
+                             table.path(),
+                             "does nothing; expected one or more of {}",
+                             fmt::join(kActions, ", "));
 }
 
 /// A volume needs a shape, and nothing that stops what comes in.

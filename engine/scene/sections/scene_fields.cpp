@@ -82,6 +82,7 @@ void read_water(TableReader& table, WaterDescription& water) {
 }
 
 void read_explosion(TableReader& table, ExplosionDescription& explosion) {
+    explosion.name = read_name(table);
     table.read("at_s", explosion.at_s, {0, 1e6, "a time from 0 to 1000000 s"});
     table.require("position_m", "[x, y, z] in m");
     table.read("position_m", explosion.position_m, kCoordinate_m);

@@ -281,6 +281,7 @@ void SimulationArchive::serialize_state() {
              simulation_.tally_.quarantined_reported,
              simulation_.mass_ratio_.named,
              simulation_.added_energy_J,
+             simulation_.charges_lit,
              simulation_.names_.spawned,
              simulation_.random,
              simulation_.switches,

@@ -15,7 +15,7 @@ scene::SceneDescription with_trigger(int times) {
     scene::EntityDescription volume = test::box("trigger", {0, 1.5_r, 0}, {2, 0.5_r, 2});
     volume.body.reset();
     volume.trigger = scene::TriggerDescription{
-        .spawn = "green_box", .at_m = {5, 10, 0}, .of = {"red_box"}, .times = times};
+        .of = {"red_box"}, .times = times, .spawn = "green_box", .at_m = {5, 10, 0}};
     scene::SceneDescription scene = test::scene_of({floor, red, volume});
     scene.gravity_mps2 = {0, -10, 0};
     scene.prefabs["green_box"] = test::box("green_box", {0, 0, 0}, {4, 4, 4});
@@ -74,6 +74,77 @@ TEST(Triggers, OnlyWhatMovesByItselfComesIn) {
     run->spawn(test::box("visitor", {0, 1.5_r, 0}, {0.1_r, 0.1_r, 0.1_r}));
     run.step(3, effects);
     EXPECT_EQ(line_of(effects, "triggers").calls, 1U) << "of any name, once while it is inside";
+}
+
+/// Gates 2 cm thick along x, one at every metre from 1 on.
+scene::SceneDescription with_gates(int gates, double ball_mps) {
+    scene::EntityDescription ball = test::ball("ball", {0, 0, 0}, 0.05_r);
+    ball.body->mass_kg = 1;
+    ball.body->velocity_mps = {static_cast<Real>(ball_mps), 0, 0};
+    scene::SceneDescription scene = test::scene_of({ball});
+    scene.gravity_mps2 = {0, 0, 0};
+    for (int i = 1; i <= gates; ++i) {
+        scene::EntityDescription gate =
+            test::box("gate" + std::to_string(i), {static_cast<Real>(i), 0, 0}, {0.02_r, 2, 2});
+        gate.body.reset();
+        gate.trigger = scene::TriggerDescription{.times = 10, .message = gate.name};
+        scene.entities.push_back(gate);
+    }
+    return scene;
+}
+
+// 3.3 m a step: forty gates count once each, in their order.
+TEST(Triggers, NoneIsFlownThroughUnseen) {
+    test::Running run(with_gates(40, 200));
+    EffectRuntime effects(*run, {});
+    run.step(30, effects);
+    ASSERT_EQ(run->messages.size(), 40U);
+    for (std::size_t i = 0; i < 40; ++i)
+        EXPECT_EQ(run->messages[i], "gate" + std::to_string(i + 1));
+    EXPECT_EQ(line_of(effects, "triggers").calls, 40U);
+}
+
+TEST(Triggers, WhatFliesPastDoesNotCount) {
+    scene::SceneDescription scene = with_gates(5, 200);
+    for (std::size_t i = 1; i < scene.entities.size(); ++i)
+        scene.entities[i].world_from_body.position.y = 1.2_r;  // 15 cm beside the ball
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(30, effects);
+    EXPECT_TRUE(run->messages.empty());
+}
+
+TEST(Triggers, PushTurnGravityAndRemove) {
+    scene::SceneDescription scene = with_gates(3, 10);
+    scene.entities[1].trigger->impulse_Ns = Vec3{0, 2, 0};
+    scene.entities[2].trigger->gravity_mps2 = Vec3{0, -1, 0};
+    scene.entities[3].trigger->remove = true;
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(8, effects);  // 0.13 s: past the first
+    EXPECT_NEAR(static_cast<double>(run.state("ball").velocity_mps.y), 2, 1e-4);
+    EXPECT_EQ(run->physics.def().gravity_mps2, (Vec3{0, 0, 0}));
+    run.step(6, effects);
+    EXPECT_EQ(run->physics.def().gravity_mps2, (Vec3{0, -1, 0}));
+    run.step(6, effects);
+    EXPECT_FALSE(run->registry.alive(run->find("ball")));
+}
+
+TEST(Triggers, LightLampsAndCharges) {
+    scene::SceneDescription scene = with_gates(1, 10);
+    scene::EntityDescription lamp = test::box("lamp", {0, 5, 0}, {1, 1, 1});
+    lamp.body.reset();
+    lamp.light = scene::LightDescription{};
+    scene.entities.push_back(lamp);
+    scene.entities[1].trigger->light = "lamp";
+    scene.entities[1].trigger->explode = "charge";
+    scene.forces.explosions.push_back(
+        {.name = "charge", .position_m = {1.2_r, -2, 0}, .impulse_Ns = 5000});
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(10, effects);
+    EXPECT_EQ(run->registry.get<scene::PointLight>(run->find("lamp")).on, scene::LampOn::Never);
+    EXPECT_GT(run.state("ball").velocity_mps.y, 0);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(EntityVisuals, TriggersTakeTheScaledPrimitive) {
     EntityDescription volume = test::cube("volume", {0, 0, 0});
     volume.body.reset();
     volume.scale = {2, 1, 1};
-    volume.trigger = TriggerDescription{.spawn = "p", .times = 3};
+    volume.trigger = TriggerDescription{.times = 3, .spawn = "p"};
     EntityDescription bare = volume;
     bare.name = "bare";
     bare.visual = {};

@@ -128,8 +128,14 @@ TEST_F(SceneFileTest, ATriggerIsAVolumeWithoutABody) {
         prefab + volume +
             "trigger = { spawn = \"green_box\", at_m = [0, 0, 0], of = [\"tt\", \"t#1\"] }\n",
         "6:8: warning: entity[0].trigger.of: no entity is called \"tt\"; did you mean \"t\"?");
-    expect_only(prefab + volume + "trigger = { at_m = [0, 0, 0] }\n",
-                "8:11: error: entity[0].trigger.spawn: missing; expected the name of a prefab");
+    expect_only(
+        prefab + volume + "trigger = { at_m = [0, 0, 0] }\n",
+        "8:11: error: entity[0].trigger: does nothing; expected one or more of spawn, remove, "
+        "impulse_Ns, gravity_mps2, explode, light, message");
+    expect_only(prefab + volume + "trigger = { light = \"t\", remove = true }\n",
+                "6:8: warning: entity[0].trigger.light: no entity with a light is called \"t\"");
+    expect_only(prefab + volume + "trigger = { explode = \"charge\" }\n",
+                "6:8: warning: entity[0].trigger.explode: no explosion is called \"charge\"");
     expect_only(prefab + volume + "trigger = { spawn = \"green_box\" }\n",
                 "8:11: error: entity[0].trigger.at_m: missing; expected where it appears");
     expect_only(
