@@ -1,11 +1,13 @@
 // Volumes in which something happens when a body comes in: once for each time that it does, however fast it is. They stop nothing.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/physics/medium.h"
 #include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plumbline::effects {
 namespace {
@@ -118,14 +120,15 @@ private:
             volume.radius_m + physics::radius_m(simulation.physics, moving.body))
             return {};
         const double inner_m = static_cast<double>(moving.inner_radius_m);
-        const double places =
-            std::clamp(std::ceil(length_m / (volume.thinnest_m / 2 + inner_m)), 2.0, kMostPlaces);
-        for (double place = 0; place < places; ++place) {
+        const auto places = static_cast<int>(
+            std::clamp(std::ceil(length_m / (volume.thinnest_m / 2 + inner_m)), 2.0, kMostPlaces));
+        for (int place = 0; place < places; ++place) {
+            const double when = static_cast<double>(place) / places;
             Pose there = pose;
-            there.position += Vec3(way * (1 - place / places));
+            there.position += Vec3(way * (1 - when));
             const auto hits = physics::overlaps(simulation.physics, volume.shape, there, Real{0});
             if (std::ranges::find(hits, moving.body, &physics::OverlapHit::body) != hits.end())
-                return place / places;
+                return when;
         }
         return {};
     }
