@@ -76,7 +76,8 @@ struct Belt {};
 
 /// A piece of a rope: the rope stands for it in reports.
 struct RopePiece {
-    bool stopped{false};  ///< frozen while ropes are switched off
+    std::uint32_t rope{0};  ///< in Simulation::ropes()
+    bool stopped{false};    ///< frozen while ropes are switched off
 };
 
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.

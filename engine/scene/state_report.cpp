@@ -91,9 +91,6 @@ void add_ropes(JsonText& json, const Simulation& simulation) {
     json.key("ropes").begin_array();
     for (const Rope& rope : simulation.ropes()) {
         const std::vector<Vec3d> points = simulation.points_of(rope);
-        double length_m = 0;
-        for (std::size_t i = 1; i < points.size(); ++i)
-            length_m += glm::distance(points[i - 1], points[i]);
         const auto tension_N = [&](std::size_t joint) {
             return joint < rope.joints.size() && simulation.physics.contains(rope.joints[joint])
                        ? static_cast<double>(
@@ -105,7 +102,7 @@ void add_ropes(JsonText& json, const Simulation& simulation) {
         json.key("points_m").begin_array();
         for (const Vec3d& point : points) json.vector(point);
         json.end_array();
-        json.key("length_m").number(length_m);
+        json.key("length_m").number(length_of(points));
         json.key("tension_N").begin_object();
         json.key("a").number(tension_N(0));
         json.key("b").number(tension_N(rope.pieces.size()));

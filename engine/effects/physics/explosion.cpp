@@ -51,7 +51,6 @@ public:
                                simulation.charges_lit.end())
                 go_off(simulation, charge);
         }
-        simulation.charges_lit.clear();
     }
 
 private:

@@ -15,16 +15,17 @@ public:
     RopeEffect& operator=(const RopeEffect&) = delete;
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        awake_.assign(simulation.ropes().size(), false);
+        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+            if (!moving.awake) continue;
+            const auto* piece = simulation.registry.find<scene::RopePiece>(moving.entity);
+            if (piece == nullptr) continue;
+            awake_[piece->rope] = true;
+            ++work_.calls;
+        }
         const auto& described = simulation.description().forces.ropes;
-        for (std::size_t i = 0; i < simulation.ropes().size(); ++i) {
-            const scene::Rope& rope = simulation.ropes()[i];
-            std::uint64_t awake = 0;
-            for (const physics::BodyId piece : rope.pieces) {
-                if (simulation.physics.contains(piece) && simulation.physics.state(piece).awake)
-                    ++awake;
-            }
-            work_.calls += awake;
-            if (awake > 0 && described[i].stiffness_N > 0) show_stretch(rope);
+        for (std::size_t i = 0; i < awake_.size(); ++i) {
+            if (awake_[i] && described[i].stiffness_N > 0) show_stretch(simulation.ropes()[i]);
         }
     }
 
@@ -53,6 +54,7 @@ private:
     }
 
     scene::Simulation& simulation_;
+    std::vector<bool> awake_;  // by rope
 };
 
 Callers callers_of_ropes(const scene::Simulation& simulation) {

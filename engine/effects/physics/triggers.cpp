@@ -28,6 +28,7 @@ public:
             BodyId body{};
         };
         std::vector<Event> events;
+        find_flights(simulation);
         for (auto [entity, volume, transform] :
              simulation.registry.view<TriggerVolume, const scene::Transform>()) {
             std::vector<BodyId> inside = bodies_in(simulation, volume, transform.world_from_body);
@@ -76,10 +77,37 @@ private:
         return bodies;
     }
 
-    static std::vector<Entry> came_in(const scene::Simulation& simulation,
-                                      const TriggerVolume& volume,
-                                      const Pose& pose,
-                                      const std::vector<BodyId>& inside) {
+    /// A body on its way through a step.
+    struct Flight {
+        const scene::MovingBody* moving{nullptr};
+        Vec3d from{0, 0, 0};
+        Vec3d way{0, 0, 0};
+        double length_m{0};
+    };
+
+    /// Those that moved farther than some volume is thick.
+    void find_flights(const scene::Simulation& simulation) {
+        flights_.clear();
+        double thinnest_m = HUGE_VAL;
+        for (auto [entity, volume] : simulation.registry.view<const TriggerVolume>())
+            thinnest_m = std::min(thinnest_m, volume.thinnest_m);
+        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+            if (!moving.awake || !simulation.physics.contains(moving.body)) continue;
+            const auto* previous =
+                simulation.registry.find<scene::PreviousTransform>(moving.entity);
+            if (previous == nullptr) continue;
+            const Vec3d from(previous->world_from_body.position);
+            const Vec3d way =
+                Vec3d(simulation.physics.state(moving.body).world_from_body.position) - from;
+            const double length_m = glm::length(way);
+            if (length_m > thinnest_m) flights_.push_back({&moving, from, way, length_m});
+        }
+    }
+
+    std::vector<Entry> came_in(const scene::Simulation& simulation,
+                               const TriggerVolume& volume,
+                               const Pose& pose,
+                               const std::vector<BodyId>& inside) const {
         const auto was_inside = [&volume](BodyId body) {
             return std::ranges::binary_search(volume.inside, body);
         };
@@ -87,13 +115,14 @@ private:
         for (const BodyId body : inside) {
             if (!was_inside(body)) entries.emplace_back(1, body);
         }
-        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
-            if (!simulation.physics.contains(moving.body) || was_inside(moving.body)) continue;
-            const std::optional<double> when = passed_at(simulation, volume, pose, moving);
-            if (!when || !counts(simulation, volume, moving.body)) continue;
-            const auto known = std::ranges::find(entries, moving.body, &Entry::second);
+        for (const Flight& flight : flights_) {
+            const BodyId body = flight.moving->body;
+            if (was_inside(body)) continue;
+            const std::optional<double> when = passed_at(simulation, volume, pose, flight);
+            if (!when || !counts(simulation, volume, body)) continue;
+            const auto known = std::ranges::find(entries, body, &Entry::second);
             if (known == entries.end())
-                entries.emplace_back(*when, moving.body);
+                entries.emplace_back(*when, body);
             else
                 known->first = *when;
         }
@@ -105,21 +134,16 @@ private:
     static std::optional<double> passed_at(const scene::Simulation& simulation,
                                            const TriggerVolume& volume,
                                            const Pose& pose,
-                                           const scene::MovingBody& moving) {
-        const auto* previous = simulation.registry.find<scene::PreviousTransform>(moving.entity);
-        if (previous == nullptr || !moving.awake) return {};
-        const Vec3d from(previous->world_from_body.position);
-        const Vec3d to(simulation.physics.state(moving.body).world_from_body.position);
-        const Vec3d way = to - from;
-        const double length_m = glm::length(way);
+                                           const Flight& flight) {
+        const auto& [moving, from, way, length_m] = flight;
         if (length_m <= volume.thinnest_m) return {};
         const Vec3d center(pose.position);
         const double nearest =
             std::clamp(glm::dot(center - from, way) / (length_m * length_m), 0.0, 1.0);
         if (glm::distance(center, from + way * nearest) >
-            volume.radius_m + physics::radius_m(simulation.physics, moving.body))
+            volume.radius_m + physics::radius_m(simulation.physics, moving->body))
             return {};
-        const double inner_m = static_cast<double>(moving.inner_radius_m);
+        const double inner_m = static_cast<double>(moving->inner_radius_m);
         const auto places = static_cast<int>(
             std::clamp(std::ceil(length_m / (volume.thinnest_m / 2 + inner_m)), 2.0, kMostPlaces));
         for (int place = 0; place < places; ++place) {
@@ -127,7 +151,7 @@ private:
             Pose there = pose;
             there.position += Vec3(way * (1 - when));
             const auto hits = physics::overlaps(simulation.physics, volume.shape, there, Real{0});
-            if (std::ranges::find(hits, moving.body, &physics::OverlapHit::body) != hits.end())
+            if (std::ranges::find(hits, moving->body, &physics::OverlapHit::body) != hits.end())
                 return when;
         }
         return {};
@@ -162,6 +186,8 @@ private:
         if (says.remove && simulation.physics.contains(body))
             simulation.registry.destroy(entity_of(simulation, body));
     }
+
+    std::vector<Flight> flights_;  // of the latest step
 };
 
 }  // namespace

@@ -95,12 +95,15 @@ void slow_pressed(std::span<SolverBody> bodies,
                   std::span<const SolverJoint> joints,
                   const ContactSet& contacts,
                   Real h) {
-    const bool any = std::ranges::any_of(contacts.constraints, [&](const ContactConstraint& of) {
+    const auto decays = [](const SolverJoint& joint) { return joint.pressed_decay_per_s > 0; };
+    const auto is_jointed = [&](const ContactConstraint& of) {
         return bodies[of.a].jointed || bodies[of.b].jointed;
-    });
-    if (!any) return;
+    };
+    if (std::ranges::none_of(joints, decays) ||
+        std::ranges::none_of(contacts.constraints, is_jointed))
+        return;
     for (const SolverJoint& joint : joints) {
-        if (!(joint.pressed_decay_per_s > 0)) continue;
+        if (!decays(joint)) continue;
         Real& factor = bodies[joint.a].angular_damping_factor;
         factor = std::min(factor, portable_exp(-joint.pressed_decay_per_s * h));
     }

@@ -141,12 +141,6 @@ Quatd turn_onto(const Vec3d& from, const Vec3d& to) {
     return Quatd{0, glm::normalize(glm::cross(from, other))};
 }
 
-double length_of(const std::vector<Vec3d>& path) {
-    double sum = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) sum += glm::distance(path[i - 1], path[i]);
-    return sum;
-}
-
 /// The point of the path that is this far along it.
 Vec3d along_path(const std::vector<Vec3d>& path, double way_m) {
     for (std::size_t i = 1; i < path.size(); ++i) {

@@ -32,4 +32,13 @@ struct RopeDescription {
     SourceLocation location{};
 };
 
+/// From the first point to the last along all of them.
+template <class T>
+double length_of(const std::vector<glm::vec<3, T>>& path_m) {
+    double sum_m = 0;
+    for (std::size_t i = 1; i < path_m.size(); ++i)
+        sum_m += glm::distance(Vec3d(path_m[i - 1]), Vec3d(path_m[i]));
+    return sum_m;
+}
+
 }  // namespace plumbline::scene

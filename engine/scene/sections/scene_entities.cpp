@@ -69,10 +69,9 @@ void read_trigger(TableReader& table, TriggerDescription& trigger, const LoadCon
     table.read("remove", trigger.remove);
     table.read("impulse_Ns", trigger.impulse_Ns, {-1e9, 1e9, "N s from -1e9 to 1e9"});
     table.read("gravity_mps2", trigger.gravity_mps2, {-1e3, 1e3, "m/s2 from -1000 to 1000"});
-    for (const auto& [key, text] : {std::pair{"explode", &trigger.explode},
-                                    std::pair{"light", &trigger.light},
-                                    std::pair{"message", &trigger.message}})
-        table.read(key, *text);
+    table.read("explode", trigger.explode);
+    table.read("light", trigger.light);
+    table.read("message", trigger.message);
     constexpr std::array kActions{
         "spawn", "remove", "impulse_Ns", "gravity_mps2", "explode", "light", "message"};
     if (std::ranges::none_of(kActions, [&table](const char* key) { return table.has(key); }))

@@ -19,13 +19,6 @@ constexpr double kUnequal =
 constexpr Range kLength{1e-2, 1e4, "a length from 0.01 to 10000 m"};
 constexpr Range kRopeForce{0, 1e12, "a number from 0 to 1e12"};
 
-double length_of(const std::vector<Vec3>& path) {
-    double sum = 0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-        sum += glm::distance(Vec3d(path[i - 1]), Vec3d(path[i]));
-    return sum;
-}
-
 void read_path(TableReader& table, std::vector<Vec3>& path) {
     const TomlNode* node = table.find("path_m");
     if (node == nullptr) return;

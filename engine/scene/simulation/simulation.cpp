@@ -89,6 +89,7 @@ void Simulation::step() {
         const IgnoresInterrupts work;
         physics.step(force_fields.all());
     }
+    charges_lit.clear();  // whoever lives by them took them before the step
     ++clock_.steps;
     if (switches.sun_rotation_radps != 0.0F) {
         const float angle = switches.sun_rotation_radps * static_cast<float>(clock_.step_s);

@@ -37,10 +37,7 @@ std::vector<Vec3d> points_of(const FieldWorld& world) {
 }
 
 double length_m(const FieldWorld& world) {
-    const std::vector<Vec3d> points = points_of(world);
-    double sum = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(points[i - 1], points[i]);
-    return sum;
+    return scene::length_of(points_of(world));
 }
 
 double tension_N(const FieldWorld& world) {

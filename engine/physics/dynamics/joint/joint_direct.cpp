@@ -126,10 +126,7 @@ void DirectJoints::hold_steady_changes(JointGroup& group) {
         for (const JointComponent& component : group.topology->components)
             group.hold_rows(matrix_, component, x_);
         group.row_solves += 3 * group.rows.size();
-        for (const JointBody& body : group.bodies) {
-            body.body->velocity_increment_mps = Vec3(body.velocity_mps);
-            body.body->spin_increment_radps = Vec3(body.spin_radps);
-        }
+        group.keep_as_steady_changes();
     });
 }
 

@@ -115,10 +115,7 @@ void DirectJoints::hold_late(JointGroup& group, const StiffSprings& springs) {
         for (const ElasticBlock& block : springs.blocks) x_[block.node] *= 2 * block.share - 1;
         for (const JointSpring& spring : springs.lines) x_[spring.node].x = 0;
         for (std::size_t i = 0; i < group.rows.size(); ++i) group.rows[i].push(group.bodies, x_[i]);
-        for (const JointBody& body : group.bodies) {
-            body.body->velocity_increment_mps = Vec3(body.velocity_mps);
-            body.body->spin_increment_radps = Vec3(body.spin_radps);
-        }
+        group.keep_as_steady_changes();
     });
 }
 

@@ -49,11 +49,9 @@ void list_elastic_blocks(JointGroup& group, std::vector<ElasticBlock>& blocks) {
     for (std::uint32_t node = 0; node < group.rows.size(); ++node) {
         JointRows& rows = group.rows[node];
         if (!rows.is_elastic()) continue;
-        const std::uint32_t index = group.topology->nodes[node].joint;
-        const SolverJoint& joint = group.joints[index];
+        const SolverJoint& joint = group.joints[group.topology->nodes[node].joint];
         const bool bends = rows.kind == NodeKind::Lock;
         ElasticBlock& block = blocks.emplace_back();
-        block.joint = index;
         block.node = node;
         block.stiffness = static_cast<double>(bends ? joint.bend_Nmprad : joint.stiffness_Npm);
         block.damping = block.stiffness * static_cast<double>(joint.damping_s);
@@ -94,13 +92,9 @@ void take_back_ahead(ElasticBlock& block, JointGroup& group) {
 void push_rest(ElasticBlock& block, JointGroup& group) {
     const Vec3d after = block.after();
     JointRows& rows = group.rows[block.node];
-    const JointRows before = rows;
     rows.refresh(group.bodies);
     rows.push(group.bodies, after);
-    JointTotal& total = group.totals[block.joint];
-    total.impulse_Ns += rows.force_on_a(after);
-    total.angular_impulse_Nms += rows.torque_on_a(after);
-    rows = before;
+    group.impulses[block.node] += after;
     block.before = block.kept + after;
 }
 

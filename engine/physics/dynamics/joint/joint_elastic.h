@@ -13,7 +13,6 @@ namespace plumbline::physics {
 
 /// The rows of one node. Stretch in N, m and N s; bending in N m, rad and N m s.
 struct ElasticBlock {
-    std::uint32_t joint{0};
     std::uint32_t node{0};
     double stiffness{0};       ///< > 0
     double damping{0};         ///< force per speed

@@ -95,6 +95,13 @@ struct JointGroup {
             bodies[i].spin_radps = own_[i].spin_radps;
         }
     }
+    /// Within with_motion(): the velocities as the bodies' steady changes.
+    void keep_as_steady_changes() const {
+        for (const JointBody& body : bodies) {
+            body.body->velocity_increment_mps = Vec3(body.velocity_mps);
+            body.body->spin_increment_radps = Vec3(body.spin_radps);
+        }
+    }
     /// Velocities that the rows held now allow, as a linear map: no bound takes hold or lets go, nothing is counted.
     /// `factor`: of these rows; `x`: room for as many.
     void hold_rows(const BlockLdlt& factor, const JointComponent& component, std::span<Vec3d> x);
