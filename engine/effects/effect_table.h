@@ -76,6 +76,8 @@ struct EffectRow {
     ROW(magnets, Step)              \
     ROW(conveyor, Step)             \
     ROW(rope, Step)                 \
+    ROW(cloth, Step)                \
+    ROW(soft, Step)                 \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
     ROW(contact_events, Step)

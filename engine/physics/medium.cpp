@@ -1,5 +1,8 @@
 #include "engine/physics/medium.h"
 
+#include "engine/physics/collision/mesh/placed_mesh.h"
+#include "engine/physics/collision/mesh/triangle_distance.h"
+#include "engine/physics/collision/narrow_phase/collide.h"
 #include "engine/physics/collision/shape/hull_geometry.h"
 #include "engine/physics/collision/silhouette.h"
 #include "engine/physics/collision/submersion.h"
@@ -7,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::physics {
 namespace {
@@ -37,7 +41,74 @@ double reach_m(const ConvexShape& shape) {
     return 0;
 }
 
+void keep_nearer(std::optional<BallContact>& nearest, const BallContact& other) {
+    if (!nearest || other.distance_m < nearest->distance_m) nearest = other;
+}
+
+/// The triangle that is nearest decides; where the ball's centre is behind its front, by how much.
+std::optional<BallContact> near_mesh(
+    const MeshGeometry& mesh, const Transform& at, const Vec3d& ball, double radius, double reach) {
+    const PlacedMesh placed(mesh, at, ball);
+    std::optional<BallContact> nearest;
+    double nearest_m = radius + reach;
+    placed.visit_round({0, 0, 0}, nearest_m, [&](std::uint32_t index) {
+        const std::array<Vec3d, 3> corners = placed.corners_m(index);
+        const Vec3d front =
+            glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const Vec3d on_mesh = nearest_to({0, 0, 0}, corners, front).at;
+        const double away_m = glm::length(on_mesh);
+        if (away_m >= nearest_m) return;
+        nearest_m = away_m;
+        const bool is_behind =
+            glm::dot(on_mesh, front) > 0 && !mesh.triangles[index].has_two_fronts;
+        const Vec3d outward = is_behind ? on_mesh : -on_mesh;
+        nearest = BallContact{.normal = normalize_or(outward, front),
+                              .on_body_m = on_mesh + ball,
+                              .distance_m = (is_behind ? -away_m : away_m) - radius};
+    });
+    return nearest;
+}
+
 }  // namespace
+
+std::optional<BallContact> ball_contact(const PhysicsWorld& world,
+                                        BodyId id,
+                                        const Vec3d& center_m,
+                                        const Quatd& world_from_mass,
+                                        const Vec3d& ball_m,
+                                        double radius_m,
+                                        double reach_m) {
+    const BodyGeometry& geometry = *internals(world).body(id).traits.geometry;
+    const Transform world_from_body{.rotation = Mat3(glm::mat3_cast(world_from_mass)),
+                                    .position_m = Vec3(center_m)};
+    if (geometry.mesh) return near_mesh(*geometry.mesh, world_from_body, ball_m, radius_m, reach_m);
+    const ConvexShape ball{.kind = ConvexShape::Kind::Sphere,
+                           .radius_m = static_cast<Real>(radius_m)};
+    const Vec3d local = glm::conjugate(world_from_mass) * (ball_m - center_m);
+    const double far_m = radius_m + reach_m;
+    // Near the origin, where single precision has its digits.
+    const Transform body{.rotation = world_from_body.rotation,
+                         .position_m = Vec3(center_m - ball_m)};
+    std::optional<BallContact> nearest;
+    for (const GeometryPart& part : geometry.parts) {
+        if (glm::any(glm::lessThan(local, part.bounds.low - far_m)) ||
+            glm::any(glm::greaterThan(local, part.bounds.high + far_m)))
+            continue;
+        const Transform at = body * part.mass_from_part;
+        const ConvexContact contact =
+            collide({ball, Transform{}}, {part.shape, at}, static_cast<Real>(reach_m));
+        for (const ConvexPoint& point : contact.points())
+            keep_nearer(nearest,
+                        {.normal = Vec3d(point.normal),
+                         .on_body_m = Vec3d(point.on_b) + ball_m,
+                         .distance_m = static_cast<double>(point.distance_m)});
+    }
+    return nearest;
+}
+
+double friction_of(const PhysicsWorld& world, BodyId id) {
+    return static_cast<double>(internals(world).body(id).traits.material.friction);
+}
 
 double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& direction_mass) {
     return silhouette_m2(*internals(world).body(id).traits.geometry, direction_mass);
@@ -68,6 +139,15 @@ double radius_m(const PhysicsWorld& world, BodyId id) {
         radius = std::max(radius, away + reach_m(part.shape));
     }
     return radius;
+}
+
+double thinnest_half_m(const PhysicsWorld& world, BodyId id) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const GeometryPart& part : internals(world).body(id).traits.geometry->parts) {
+        const Vec3d half = (part.bounds.high - part.bounds.low) / 2.0;
+        thinnest = std::min({thinnest, half.x, half.y, half.z});
+    }
+    return thinnest;
 }
 
 Vec3d half_extent_m(const PhysicsWorld& world, BodyId id) {

@@ -1,9 +1,10 @@
-// How a body lies in air or water: for force fields.
+// How a body lies in air or water, and how near it is to a point: for force fields.
 #pragma once
 
 #include "engine/physics/body.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace plumbline::physics {
 
@@ -31,6 +32,26 @@ Submersion submersion(const PhysicsWorld& world,
                       double level_m,
                       const Vec3d& direction);
 
+/// Where a ball is near a body.
+struct BallContact {
+    Vec3d normal{0, 1, 0};  ///< unit, from the body to the ball
+    Vec3d on_body_m{0, 0, 0};
+    double distance_m{0};  ///< of the surfaces; negative: penetration
+};
+
+/// The nearest place of a body whose mass frame is there to a ball; none farther off than `reach_m`. A mesh is solid below the
+/// fronts of its triangles, down to `reach_m`.
+std::optional<BallContact> ball_contact(const PhysicsWorld& world,
+                                        BodyId id,
+                                        const Vec3d& center_m,
+                                        const Quatd& world_from_mass,
+                                        const Vec3d& ball_m,
+                                        double radius_m,
+                                        double reach_m);
+
+/// The coefficient of a body's material.
+double friction_of(const PhysicsWorld& world, BodyId id);
+
 /// The principal axes of inertia, as seen from the body's frame.
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id);
 
@@ -39,6 +60,9 @@ std::size_t part_count(const PhysicsWorld& world, BodyId id);
 
 /// Of a ball round the centre of mass that holds all of it; of a ball, its own.
 double radius_m(const PhysicsWorld& world, BodyId id);
+
+/// Half of the shortest side of the boxes round its parts.
+double thinnest_half_m(const PhysicsWorld& world, BodyId id);
 
 /// Half the size of the box along its principal axes round it, from its centre of mass.
 Vec3d half_extent_m(const PhysicsWorld& world, BodyId id);

@@ -62,6 +62,11 @@ std::vector<OverlapHit> overlaps(const PhysicsWorld& world,
                                  const Pose& pose,
                                  Real margin_m,
                                  const QueryFilter& filter = {});
+/// Bodies whose boxes touch this one, in the order of their ids.
+std::vector<BodyId> bodies_in_box(const PhysicsWorld& world,
+                                  const Vec3& min_world,
+                                  const Vec3& max_world,
+                                  const QueryFilter& filter = {});
 /// World-space box of a body's shape at its present pose.
 void bounds(const PhysicsWorld& world, BodyId id, Vec3& min_world, Vec3& max_world);
 

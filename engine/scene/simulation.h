@@ -8,6 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"
+#include "engine/physics/deformable/deformable.h"
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
@@ -99,6 +100,16 @@ struct Rope {
     std::vector<physics::JointId> joints;
 };
 struct RopeLayout;
+
+/// A cloth or a soft body of the scene file.
+struct SceneDeformable {
+    std::string name;
+    ecs::Entity entity{};  ///< what is drawn of it
+    std::unique_ptr<physics::Deformable> body;
+    std::vector<Vec3d> before_m;  ///< its points at the beginning of the latest step
+    /// Gives what is drawn the shape that it has when its points are there.
+    std::function<void(std::span<const Vec3d> points_m, assets::MeshData& mesh)> shape_mesh;
+};
 
 /// Who asks for contact events: they are made while somebody does.
 class ContactListeners {
@@ -224,6 +235,14 @@ public:
     /// Both ends and where its pieces meet, from a to b.
     std::vector<Vec3d> points_of(const Rope& rope) const;
 
+    std::span<SceneDeformable> cloths() { return bodies_.cloths; }
+    std::span<const SceneDeformable> cloths() const { return bodies_.cloths; }
+    std::span<SceneDeformable> softs() { return bodies_.softs; }
+    std::span<const SceneDeformable> softs() const { return bodies_.softs; }
+    /// As add_joint().
+    Result<Done> add_cloth(const ClothDescription& description);
+    Result<Done> add_soft(const SoftDescription& description);
+
     /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
     /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
@@ -263,6 +282,8 @@ private:
         std::vector<MovingBody> moving;
         std::vector<SceneJoint> joints;
         std::vector<Rope> ropes;
+        std::vector<SceneDeformable> cloths;
+        std::vector<SceneDeformable> softs;
         bool any_destroyed{false};  ///< since `moving` was cleared of them
     };
     struct MassRatio {
@@ -289,6 +310,9 @@ private:
     void warn_of_crowd();
     Result<physics::BodyId> end_of_joint(const std::string& name) const;
     void forget_destroyed();
+    Result<physics::BodyId> holder_of(const std::string& name,
+                                      const std::string& held,
+                                      const SourceLocation& location) const;
 
     SceneDescription description_;
     assets::AssetLibrary& library_;

@@ -1,6 +1,8 @@
 #include "engine/scene/state_report.h"
 
 #include "engine/core/hash.h"
+#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/deformable/soft_body.h"
 #include "engine/physics/totals.h"
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/simulation/entity_lookup.h"
@@ -22,7 +24,20 @@ double water_J(const Simulation& simulation) {
 }
 
 void add_totals(JsonText& json, const Simulation& simulation) {
-    const physics::Energy energy = physics::energy(simulation.physics);
+    physics::Energy energy = physics::energy(simulation.physics);
+    Vec3d momentum_kgmps = physics::momentum_kgmps(simulation.physics);
+    Vec3d angular_momentum_kgm2ps = physics::angular_momentum_kgm2ps(simulation.physics);
+    for (const auto& list : {simulation.cloths(), simulation.softs()}) {
+        for (const SceneDeformable& each : list) {
+            const physics::PointBody& body = each.body->body();
+            energy.kinetic_J += body.kinetic_J();
+            energy.elastic_J += body.elastic_J();
+            energy.potential_J -=
+                glm::dot(Vec3d(simulation.physics.def().gravity_mps2), body.moment_kgm());
+            momentum_kgmps += body.momentum_kgmps();
+            angular_momentum_kgm2ps += body.angular_momentum_kgm2ps();
+        }
+    }
     json.key("energy_J").begin_object();
     json.key("kinetic").number(energy.kinetic_J);
     json.key("potential").number(energy.potential_J);
@@ -30,8 +45,8 @@ void add_totals(JsonText& json, const Simulation& simulation) {
     json.key("water").number(water_J(simulation));
     json.key("magnetic").number(simulation.force_fields.energy_J("magnets"));
     json.end_object();
-    json.key("momentum_kgmps").vector(momentum_kgmps(simulation.physics));
-    json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps(simulation.physics));
+    json.key("momentum_kgmps").vector(momentum_kgmps);
+    json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps);
     json.key("max_penetration_m").number(max_penetration_m(simulation.physics));
     json.key("max_joint_error_m").number(max_joint_error_m(simulation.physics));
 }
@@ -111,6 +126,42 @@ void add_ropes(JsonText& json, const Simulation& simulation) {
             return !simulation.physics.contains(joint) ||
                    simulation.physics.joint(joint).state.broken;
         }));
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_points(JsonText& json, const physics::PointBody& body) {
+    json.key("points_m").begin_array();
+    for (const Vec3d& point : body.positions_m()) json.vector(point);
+    json.end_array();
+}
+
+void add_cloths(JsonText& json, const Simulation& simulation) {
+    json.key("cloths").begin_array();
+    for (const SceneDeformable& each : simulation.cloths()) {
+        const auto& sheet = dynamic_cast<const physics::Sheet&>(each.body->body());
+        json.begin_object();
+        json.key("name").text(each.name);
+        json.key("columns").number(sheet.columns());
+        json.key("rows").number(sheet.rows());
+        add_points(json, sheet);
+        json.key("area_m2").number(sheet.area_m2());
+        json.key("torn").number(sheet.torn());
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_softs(JsonText& json, const Simulation& simulation) {
+    json.key("softs").begin_array();
+    for (const SceneDeformable& each : simulation.softs()) {
+        const auto& soft = dynamic_cast<const physics::SoftBody&>(each.body->body());
+        json.begin_object();
+        json.key("name").text(each.name);
+        add_points(json, soft);
+        json.key("volume_m3").number(soft.volume_m3());
+        json.key("rest_volume_m3").number(soft.rest_volume_m3());
         json.end_object();
     }
     json.end_array();
@@ -257,6 +308,8 @@ std::string state_json(const Simulation& simulation,
     add_joints(json, simulation);
     add_islands(json, simulation);
     add_ropes(json, simulation);
+    add_cloths(json, simulation);
+    add_softs(json, simulation);
     add_waters(json, simulation);
     json.key("cost");
     add_cost(json, costs);

@@ -2,11 +2,11 @@
 #include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/effects/physics/air.h"
 #include "engine/effects/physics/field_effect.h"
 #include "engine/effects/physics/silhouette_map.h"
 #include "engine/physics/medium.h"
 #include "engine/physics/query.h"
-#include "engine/scene/environment/wind_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +62,8 @@ private:
     void prepare() override {
         time_s_ = simulation_.time_s();
         const scene::SceneDescription& scene = simulation_.description();
-        blows_ = simulation_.switches.is_on("wind", true) &&
-                 (scene.wind.has_value() || !scene.forces.wind_zones.empty());
-        if (!blows_) return;
+        air_ = Air(simulation_);
+        if (!air_.blows()) return;
         for (auto& [body, own] : receivers_.all()) {
             const physics::BodyState state = simulation_.physics.state(body);
             const Vec3 center = state.center_of_mass_world();
@@ -90,7 +89,7 @@ private:
     /// The velocity against the air, after h, is shortened by 1 / (1 + k v h): the exact solution of v' = -k v2. Lift turns it
     /// about the spin by an angle. Both commute.
     void push_one(BodyInField& body, InAir& own, const physics::FieldTime& time) const {
-        const Vec3d air_mps = air_at(body.center_m, time_s_ + time.at_s, own.in_wind);
+        const Vec3d air_mps = air_.at(body.center_m, time_s_ + time.at_s, own.in_wind);
         const Vec3d before = body.velocity_mps - air_mps;
         const double speed = glm::length(before);
         if (!(speed > 0) || !std::isfinite(speed)) return;
@@ -119,25 +118,11 @@ private:
         return own.has_parts ? own.silhouettes.at(direction_mass, exact) : exact(direction_mass);
     }
 
-    Vec3d air_at(const Vec3d& place, double time_s, double in_wind) const {
-        Vec3d air_mps{0, 0, 0};
-        if (!blows_) return air_mps;
-        const scene::SceneDescription& scene = simulation_.description();
-        const Vec3 at(place);
-        if (scene.wind) air_mps = Vec3d(scene::wind_at(*scene.wind, at, time_s)) * in_wind;
-        for (const scene::WindZone& zone : scene.forces.wind_zones) {
-            if (glm::all(glm::greaterThanEqual(at, zone.min_m)) &&
-                glm::all(glm::lessThanEqual(at, zone.max_m)))
-                air_mps += Vec3d(zone.velocity_mps);
-        }
-        return air_mps;
-    }
-
     Vec3d push_at_rest_N(physics::BodyId body,
                          InAir& own,
                          const Vec3d& center,
                          const Quatd& orientation) const {
-        const Vec3d air_mps = air_at(center, time_s_, own.in_wind);
+        const Vec3d air_mps = air_.at(center, time_s_, own.in_wind);
         const double speed = glm::length(air_mps);
         if (!(speed > 0)) return {0, 0, 0};
         const double area_m2 = area_of(body, own, glm::conjugate(orientation) * (air_mps / speed));
@@ -160,7 +145,7 @@ private:
 
     scene::Fidelity fidelity_;
     double time_s_{0};
-    bool blows_{false};
+    Air air_;
 };
 
 Callers callers_of_drag(const scene::Simulation& simulation) {

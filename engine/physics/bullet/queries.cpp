@@ -114,6 +114,19 @@ std::vector<OverlapHit> overlaps(const PhysicsWorld& world,
     return hits;
 }
 
+std::vector<BodyId> bodies_in_box(const PhysicsWorld& world,
+                                  const Vec3& min_world,
+                                  const Vec3& max_world,
+                                  const QueryFilter& filter) {
+    std::vector<BodyId> found;
+    for (const BodyRecord* record : bodies_in_box(internals(world).engine->world(),
+                                                  to_bullet(min_world),
+                                                  to_bullet(max_world),
+                                                  filter_for(filter, internals(world).bodies)))
+        found.push_back(record->id);
+    return found;
+}
+
 void bounds(const PhysicsWorld& world, BodyId id, Vec3& min_world, Vec3& max_world) {
     const Box box = box_of(internals(world).body(id));
     min_world = box.low;

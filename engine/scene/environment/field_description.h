@@ -3,7 +3,9 @@
 
 #include "engine/core/math.h"
 #include "engine/core/text/source_location.h"
+#include "engine/scene/environment/cloth_description.h"
 #include "engine/scene/environment/rope_description.h"
+#include "engine/scene/environment/soft_description.h"
 #include "engine/scene/screen_effects_description.h"
 
 #include <cstdint>
@@ -76,6 +78,8 @@ struct FieldFidelity {
     Fidelity conveyor{Fidelity::Balanced};
     Fidelity magnets{Fidelity::Balanced};
     Fidelity rope{Fidelity::Balanced};
+    Fidelity cloth{Fidelity::Balanced};
+    Fidelity soft{Fidelity::Balanced};
 };
 
 /// What pushes and pulls bodies beside gravity, contacts and joints.
@@ -86,6 +90,8 @@ struct ForceDescription {
     std::vector<WaterDescription> waters{};
     std::vector<ExplosionDescription> explosions{};
     std::vector<RopeDescription> ropes{};
+    std::vector<ClothDescription> cloths{};
+    std::vector<SoftDescription> softs{};
     FieldFidelity fidelity{};
 };
 

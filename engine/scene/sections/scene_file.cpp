@@ -64,6 +64,8 @@ public:
         read_arrays(root, scene_, context_);
         read_joints(root, scene_, context_);
         read_ropes(root, scene_, context_);
+        read_cloths(root, scene_, context_);
+        read_softs(root, scene_, context_);
         read_views(root, scene_);
         read_hard_case(root, scene_, context_);
         read_goal(root, scene_, context_);

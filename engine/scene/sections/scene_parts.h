@@ -150,6 +150,12 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
 // --- scene_ropes.cpp
 void read_ropes(TableReader& root, SceneDescription& scene, LoadContext& context);
 
+// --- scene_cloths.cpp
+void read_cloths(TableReader& root, SceneDescription& scene, LoadContext& context);
+
+// --- scene_softs.cpp
+void read_softs(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- scene_views.cpp
 void read_views(TableReader& root, SceneDescription& scene);
 

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 19> kEffects{"sun_shadow",
                                                     "contact_events",
                                                     "grass",
                                                     "flock"};
-constexpr std::array<std::string_view, 4> kEffectsToCome{"cloth", "soft", "fracture", "vehicles"};
+constexpr std::array<std::string_view, 2> kEffectsToCome{"fracture", "vehicles"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
@@ -121,7 +121,7 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         scene.effect_settings.emplace(name, settings->location());
     }
     FieldFidelity& fields = scene.forces.fidelity;
-    const std::array<std::pair<std::string_view, Fidelity*>, 13> with_fidelity{
+    const std::array<std::pair<std::string_view, Fidelity*>, 15> with_fidelity{
         {{"wind", &fields.wind},
          {"drag", &fields.drag},
          {"buoyancy", &fields.buoyancy},
@@ -130,6 +130,8 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
          {"conveyor", &fields.conveyor},
          {"magnets", &fields.magnets},
          {"rope", &fields.rope},
+         {"cloth", &fields.cloth},
+         {"soft", &fields.soft},
          {"fountain", &scene.fountain_fidelity},
          {"ambient_occlusion", &scene.screen_fidelity.occlusion},
          {"sun_shafts", &scene.screen_fidelity.shafts},

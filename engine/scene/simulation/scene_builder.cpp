@@ -180,6 +180,14 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = simulation->add_rope(rope);
         if (!made) return made.error();
     }
+    for (const ClothDescription& cloth : description.forces.cloths) {
+        const Result<Done> made = simulation->add_cloth(cloth);
+        if (!made) return made.error();
+    }
+    for (const SoftDescription& soft : description.forces.softs) {
+        const Result<Done> made = simulation->add_soft(soft);
+        if (!made) return made.error();
+    }
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
     warn_of_overlaps(*simulation);

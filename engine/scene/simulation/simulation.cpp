@@ -253,6 +253,13 @@ std::uint64_t Simulation::state_hash() const {
     for (const auto& surface : waves) {
         if (surface) surface->hash(hasher);
     }
+    for (const auto* list : {&bodies_.cloths, &bodies_.softs}) {
+        for (const SceneDeformable& each : *list) {
+            for (const auto& numbers :
+                 {each.body->body().positions_m(), each.body->body().velocities_mps()})
+                hasher.add(numbers.data(), numbers.size_bytes());
+        }
+    }
     return hasher.digest();
 }
 

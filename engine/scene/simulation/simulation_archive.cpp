@@ -101,6 +101,7 @@ private:
     void serialize_components();
     void serialize_moving();
     void serialize_joints();
+    void serialize_deformables();
     void check_restored();
 
     Simulation& simulation_;
@@ -248,6 +249,19 @@ void SimulationArchive::serialize_joints() {
     }
 }
 
+void SimulationArchive::serialize_deformables() {
+    for (auto* list : {&simulation_.bodies_.cloths, &simulation_.bodies_.softs}) {
+        for (SceneDeformable& each : *list) {
+            const std::size_t points = each.before_m.size();
+            each.body->serialize(archive_);
+            archive_(each.before_m);
+            if (!archive_.expect(each.before_m.size() == points && each.body->has_points(points),
+                                 kOtherThings))
+                return;
+        }
+    }
+}
+
 /// What steps and images lean on and no field by itself shows.
 void SimulationArchive::check_restored() {
     const Simulation::Clock& clock = simulation_.clock_;
@@ -289,6 +303,7 @@ void SimulationArchive::serialize_state() {
              simulation_.description_.camera.target_m,
              simulation_.description_.camera.up,
              simulation_.description_.camera.fov_y_rad);
+    serialize_deformables();
     if (archive_.reads()) check_restored();
     ++simulation_.revision_;
 }

@@ -1,0 +1,26 @@
+#include "engine/effects/physics/air.h"
+
+#include "engine/scene/environment/wind_field.h"
+
+namespace plumbline::effects {
+
+Air::Air(const scene::Simulation& simulation) {
+    const scene::SceneDescription& scene = simulation.description();
+    const bool has_wind = scene.wind.has_value() || !scene.forces.wind_zones.empty();
+    if (has_wind && simulation.switches.is_on("wind", true)) scene_ = &scene;
+}
+
+Vec3d Air::at(const Vec3d& place, double time_s, double in_wind) const {
+    Vec3d air_mps{0, 0, 0};
+    if (!blows()) return air_mps;
+    const Vec3 at(place);
+    if (scene_->wind) air_mps = Vec3d(scene::wind_at(*scene_->wind, at, time_s)) * in_wind;
+    for (const scene::WindZone& zone : scene_->forces.wind_zones) {
+        if (glm::all(glm::greaterThanEqual(at, zone.min_m)) &&
+            glm::all(glm::lessThanEqual(at, zone.max_m)))
+            air_mps += Vec3d(zone.velocity_mps);
+    }
+    return air_mps;
+}
+
+}  // namespace plumbline::effects

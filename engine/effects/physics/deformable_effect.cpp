@@ -1,0 +1,114 @@
+#include "engine/effects/physics/deformable_effect.h"
+
+#include "engine/effects/physics/air.h"
+#include "engine/effects/physics/field_effect.h"
+
+#include <algorithm>
+
+namespace plumbline::effects {
+
+using physics::BodyId;
+
+DeformableEffect::DeformableEffect(scene::Simulation& simulation,
+                                   std::string_view name,
+                                   std::span<scene::SceneDeformable> all,
+                                   scene::Fidelity fidelity)
+    : simulation_(simulation), name_(name), all_(all), fidelity_(fidelity) {
+    simulation.force_fields.add(name_, *this);
+}
+
+DeformableEffect::~DeformableEffect() {
+    simulation_.force_fields.remove(name_);
+    for (const BodyId body : pushed_) {
+        if (simulation_.physics.contains(body)) simulation_.physics.wake(body);
+    }
+}
+
+void DeformableEffect::set_air() {
+    const Air air(simulation_);
+    if (!air.blows() && !blew_) return;
+    blew_ = air.blows();
+    const double time_s = simulation_.time_s();
+    for (scene::SceneDeformable& each : all_) {
+        if (!each.body->body().feels_air()) continue;
+        const auto points_m = each.body->body().positions_m();
+        for (std::size_t i = 0; i < points_m.size(); ++i)
+            each.body->set_air(i, air.at(points_m[i], time_s));
+    }
+}
+
+void DeformableEffect::before_step(scene::Simulation& simulation) {
+    set_air();
+    pushed_.clear();
+    for (scene::SceneDeformable& each : all_) {
+        if (!each.body->is_asleep())
+            std::ranges::copy(each.body->body().positions_m(), each.before_m.begin());
+        each.body->begin_step(simulation.physics, simulation.step_s());
+        const auto movable = each.body->movable();
+        pushed_.insert(pushed_.end(), movable.begin(), movable.end());
+    }
+    std::ranges::sort(pushed_);
+}
+
+bool DeformableEffect::acts_on(BodyId body) const {
+    return std::ranges::binary_search(pushed_, body);
+}
+
+int DeformableEffect::substeps() const {
+    return field_substeps(fidelity_);
+}
+
+void DeformableEffect::list_pairs(std::vector<Pair>& pairs) const {
+    for (const scene::SceneDeformable& each : all_) {
+        const auto movable = each.body->movable();
+        for (std::size_t i = 1; i < movable.size(); ++i) pairs.emplace_back(movable[0], movable[i]);
+    }
+}
+
+void DeformableEffect::act(std::span<physics::BodyInField* const> bodies,
+                           const physics::FieldTime& time) {
+    lap_.start();
+    for (scene::SceneDeformable& each : all_) {
+        const auto movable = each.body->movable();
+        const bool is_here =
+            !movable.empty() &&
+            std::ranges::find(bodies, movable[0], &physics::BodyInField::id) != bodies.end();
+        if (is_here) each.body->act(simulation_.physics, bodies, time.h_s);
+    }
+    work_.cpu_ms += lap_.lap_ms();
+}
+
+void DeformableEffect::after_step(scene::Simulation& simulation, const scene::Game&) {
+    for (scene::SceneDeformable& each : all_) {
+        each.body->end_step(simulation.physics);
+        work_.calls += each.body->substeps();
+    }
+}
+
+void DeformableEffect::extract(const scene::Simulation& simulation,
+                               const scene::ViewPoint& view,
+                               render::RenderFrame&) {
+    drawn_.resize(all_.size());
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        const bool rests = all_[i].body->is_asleep();
+        Drawn& drawn = drawn_[i];
+        const bool is_shown = drawn.step == simulation.steps() && drawn.blend == view.blend;
+        if (is_shown || (rests && drawn.rests)) continue;
+        drawn = {.step = simulation.steps(), .blend = view.blend, .rests = rests};
+        draw(all_[i], static_cast<double>(view.blend));
+    }
+}
+
+void DeformableEffect::draw(const scene::SceneDeformable& each, double blend) {
+    const auto* visual = simulation_.registry.find<scene::Visual>(each.entity);
+    if (visual == nullptr) return;
+    const auto now_m = each.body->body().positions_m();
+    std::vector<Vec3d> points_m(now_m.begin(), now_m.end());
+    if (!each.body->is_asleep()) {
+        for (std::size_t i = 0; i < points_m.size(); ++i)
+            points_m[i] = glm::mix(each.before_m[i], points_m[i], blend);
+    }
+    each.shape_mesh(points_m, simulation_.library().change_mesh(visual->mesh));
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,32 @@
+// Soft bodies.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+#include "engine/effects/physics/deformable_effect.h"
+
+namespace plumbline::effects {
+namespace {
+
+class Soft final : public DeformableEffect {
+public:
+    explicit Soft(scene::Simulation& simulation)
+        : DeformableEffect(simulation,
+                           "soft",
+                           simulation.softs(),
+                           simulation.description().forces.fidelity.soft) {}
+};
+
+Callers callers_of_soft(const scene::Simulation& simulation) {
+    if (!simulation.switches.is_on("soft", true)) return {};
+    Callers callers;
+    for (const scene::SoftDescription& soft : simulation.description().forces.softs)
+        callers.push_back(setting("[[soft]] " + soft.name, soft.location));
+    return callers;
+}
+
+}  // namespace
+
+EffectRow soft() {
+    return with_effect<Soft>({.called_for_by = &callers_of_soft});
+}
+
+}  // namespace plumbline::effects

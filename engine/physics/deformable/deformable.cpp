@@ -1,0 +1,405 @@
+#include "engine/physics/deformable/deformable.h"
+
+#include "engine/core/io/archive.h"
+#include "engine/core/io/pose_archive.h"
+#include "engine/physics/dynamics/rotation.h"
+#include "engine/physics/medium.h"
+#include "engine/physics/physics_world.h"
+#include "engine/physics/query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace plumbline::physics {
+namespace {
+
+/// A sheet none of whose points has moved farther for so long loses speed at a rate, and then sleeps.
+constexpr double kCalm_m = 2e-3;
+constexpr double kSettling_s = 0.5;
+constexpr double kSettling_per_s = 2;
+constexpr double kCalm_s = 2;
+/// Slower air keeps no sheet awake.
+constexpr double kStill_mps = 0.05;
+/// Of its weight: what a sheet's push on a sleeping body must have changed by for it to wake.
+constexpr double kWakingShare = 0.05;
+constexpr double kStandardGravity_mps2 = 9.80665;
+/// What has sunk in comes out at this share a second, and no faster than so.
+constexpr double kOut_per_s = 20;
+constexpr double kOut_mps = 0.5;
+constexpr int kSweeps = 2;
+/// Places along a cell's side that may touch a small body.
+constexpr std::uint32_t kMostPlaces = 4;
+/// Of the speed that a push would give a free body: what one that is held gets at least.
+constexpr double kLeastYield = 1e-3;
+constexpr double kPushed_mps = 1e-4;
+/// How far bodies are looked for beyond what they and the sheet move in a step.
+constexpr double kMargin_m = 0.02;
+
+double squared(const Vec3d& v) {
+    return glm::dot(v, v);
+}
+
+}  // namespace
+
+Deformable::Deformable(const PhysicsWorld& world,
+                       std::unique_ptr<PointBody> body,
+                       const DeformableDef& def)
+    : body_(std::move(body)),
+      thickness_m_(def.thickness_m),
+      friction_(def.friction),
+      substeps_per_s_(def.substeps_per_s) {
+    for (const DeformablePin& pin : def.pins) {
+        if (body_->is_pinned(pin.point)) continue;
+        body_->pin(pin.point);
+        Vec3d at = body_->positions_m()[pin.point];
+        if (pin.to) {
+            const BodyState state = world.state(pin.to);
+            const Quatd world_from_mass = Quatd(state.world_from_body.orientation) *
+                                          glm::conjugate(mass_from_body(world, pin.to));
+            at = glm::conjugate(world_from_mass) * (at - Vec3d(state.center_of_mass_world()));
+        }
+        holders_.push_back({.point = pin.point, .to = pin.to, .in_mass_m = at});
+    }
+}
+
+void Deformable::set_air(std::size_t point, const Vec3d& velocity_mps) {
+    body_->set_air(point, velocity_mps);
+    blowing_mps_ = std::max(blowing_mps_, glm::length(velocity_mps));
+}
+
+void Deformable::begin_step(PhysicsWorld& world, double step_s) {
+    step_s_ = step_s;
+    if (!asleep_) wake_touched(world);
+    done_s_ = 0;
+    substeps_ = 0;
+    list_near(world);
+    bool disturbed = blowing_mps_ > kStill_mps && body_->feels_air();
+    blowing_mps_ = 0;
+    std::vector<BodyId> seen;
+    for (const Near& near : near_) {
+        seen.push_back(near.id);
+        disturbed = disturbed || squared(near.velocity_mps) + squared(near.spin_radps) > 0;
+    }
+    disturbed = disturbed || seen != seen_;
+    seen_ = std::move(seen);
+    rest(step_s, disturbed);
+}
+
+void Deformable::list_near(PhysicsWorld& world) {
+    std::erase_if(holders_, [&](const Holder& holder) {
+        const bool gone = holder.to && !world.contains(holder.to);
+        if (gone) body_->unpin(holder.point);
+        return gone;
+    });
+    near_.clear();
+    movable_.clear();
+    for (const Holder& holder : holders_) {
+        if (!holder.to || std::ranges::find(near_, holder.to, &Near::id) != near_.end()) continue;
+        add_near(world, holder.to);
+        near_.back().touches = false;
+        if (near_.back().can_wake && calm_s_ < kCalm_s / 2) world.wake(holder.to);
+    }
+    Vec3d low = body_->positions_m()[0];
+    Vec3d high = low;
+    double fastest2 = 0;
+    for (const Vec3d& at : body_->positions_m()) {
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
+    const double around_m = kMargin_m + thickness_m_ + std::sqrt(fastest2) * step_s_;
+    for (const BodyId id : bodies_in_box(world, Vec3(low - around_m), Vec3(high + around_m))) {
+        if (std::ranges::find(near_, id, &Near::id) == near_.end()) add_near(world, id);
+    }
+}
+
+void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
+    const BodyState state = world.state(id);
+    Near near{.id = id,
+              .center_m = Vec3d(state.center_of_mass_world()),
+              .world_from_mass = Quatd(state.world_from_body.orientation) *
+                                 glm::conjugate(mass_from_body(world, id)),
+              .spin_radps = Vec3d(state.angular_velocity_radps)};
+    const Vec3d arm = near.center_m - Vec3d(state.world_from_body.position);
+    if (state.kind != BodyKind::Static)
+        near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
+    near.friction = std::sqrt(friction_ * friction_of(world, id));
+    if (state.kind == BodyKind::Dynamic) {
+        const double smallest_m = 2 * thinnest_half_m(world, id);
+        const double places = std::ceil(1.5 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
+        near.places =
+            static_cast<std::uint32_t>(std::clamp(places, 1.0, static_cast<double>(kMostPlaces)));
+        if (state.pushable() && state.awake) movable_.push_back(id);
+        near.can_wake = state.pushable() && !state.awake;
+    }
+    near_.push_back(near);
+}
+
+/// A body that fell asleep with the sheet on it wakes where what the sheet does to it changes.
+void Deformable::wake_touched(PhysicsWorld& world) {
+    std::vector<Load> loads;
+    for (const Near& near : near_) {
+        if (!near.can_wake || !world.contains(near.id) || !(done_s_ > 0)) continue;
+        const Load now{.body = near.id, .force_N = near.felt_Ns / done_s_};
+        const auto before = std::ranges::find(loads_, near.id, &Load::body);
+        loads.push_back(before != loads_.end() ? *before : now);
+        const double weight_N =
+            static_cast<double>(world.state(near.id).mass.mass_kg) * kStandardGravity_mps2;
+        if (glm::length(now.force_N - loads.back().force_N) > kWakingShare * weight_N)
+            world.wake(near.id);
+    }
+    loads_ = std::move(loads);
+}
+
+void Deformable::rest(double step_s, bool disturbed) {
+    const auto now = body_->positions_m();
+    const auto has_moved = [](const Vec3d& a, const Vec3d& b) {
+        return squared(a - b) > kCalm_m * kCalm_m;
+    };
+    if (disturbed || !std::ranges::equal(now, calm_m_, std::not_fn(has_moved))) {
+        calm_m_.assign(now.begin(), now.end());
+        calm_s_ = 0;
+    }
+    calm_s_ += step_s;
+    if (calm_s_ > kSettling_s) body_->slow_down(portable_exp(-kSettling_per_s * step_s));
+    const bool sleeps = calm_s_ > kCalm_s;
+    if (sleeps && !asleep_) body_->slow_down(0);
+    asleep_ = sleeps;
+}
+
+void Deformable::act(const PhysicsWorld& world,
+                     std::span<BodyInField* const> bodies,
+                     double seconds) {
+    done_s_ += seconds;
+    if (asleep_) return;
+    place_near(bodies, seconds);
+    find_contacts(world, seconds);
+    const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
+    const std::uint32_t count = body_->plan(seconds, most);
+    for (std::uint32_t i = 0; i < count; ++i)
+        substep(Vec3d(world.def().gravity_mps2), body_->substep_s());
+    substeps_ += count;
+    note_expected(Vec3d(world.def().gravity_mps2), seconds);
+}
+
+void Deformable::end_step(const PhysicsWorld& world) {
+    if (step_s_ - done_s_ > 1e-9 * step_s_) act(world, {}, step_s_ - done_s_);
+}
+
+/// From the middle of the sub-step back to its start.
+void Deformable::place_near(std::span<BodyInField* const> bodies, double seconds) {
+    for (Near& near : near_) {
+        near.state = nullptr;
+        near.inverse_mass = 0;
+        near.inverse_inertia = {0, 0, 0};
+        near.falls = false;
+        const auto found = std::ranges::find(bodies, near.id, &BodyInField::id);
+        if (found == bodies.end()) continue;
+        const BodyInField& body = **found;
+        near.state = *found;
+        near.velocity_mps = body.velocity_mps - 0.5 * body.gain_mps;
+        near.start_mps = near.velocity_mps;
+        near.pushed_Ns = {0, 0, 0};
+        near.spin_radps = body.spin_radps;
+        near.center_m = body.center_m - near.velocity_mps * (seconds / 2);
+        near.world_from_mass =
+            glm::normalize(turn_by(body.spin_radps, -seconds / 2) * body.world_from_mass);
+        const double yields = yield_of(near.id, near.velocity_mps);
+        near.inverse_mass = yields / body.mass_kg;
+        near.inverse_inertia = yields / body.inertia_kgm2;
+        near.falls = yields > 0.5;
+    }
+}
+
+/// The share of the speed that a push gives it if it is free.
+double Deformable::yield_of(BodyId body, const Vec3d& start_mps) const {
+    const auto known = std::ranges::find(expected_, body, &Expected::body);
+    if (known == expected_.end()) return 1;
+    const double pushed2 = squared(known->pushed_mps);
+    if (pushed2 < kPushed_mps * kPushed_mps) return 1;
+    const double held = glm::dot(known->velocity_mps - start_mps, known->pushed_mps) / pushed2;
+    return std::clamp(1 - held, kLeastYield, 1.0);
+}
+
+void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
+    expected_.clear();
+    for (const Near& near : near_) {
+        if (near.state == nullptr) continue;
+        const Vec3d pushed_mps = near.pushed_Ns / near.state->mass_kg;
+        expected_.push_back({.body = near.id,
+                             .pushed_mps = pushed_mps,
+                             .velocity_mps = near.start_mps + gravity_mps2 * seconds + pushed_mps});
+    }
+}
+
+void Deformable::find_contacts(const PhysicsWorld& world, double seconds) {
+    contacts_.clear();
+    for (std::uint32_t i = 0; i < near_.size(); ++i) {
+        if (near_[i].touches && world.contains(near_[i].id)) add_contacts(world, i, seconds);
+    }
+}
+
+void Deformable::add_contacts(const PhysicsWorld& world, std::uint32_t number, double seconds) {
+    const Near& near = near_[number];
+    Vec3 low;
+    Vec3 high;
+    bounds(world, near.id, low, high);
+    const double moved_m = glm::length(near.velocity_mps) * seconds;
+    const double radius_m = thickness_m_ / 2;
+    for (const SurfacePlace& place : places(near.places)) {
+        const Vec3d at = mean_of(body_->positions_m(), place);
+        const Vec3d velocity = mean_of(body_->velocities_mps(), place);
+        const double reach_m =
+            thickness_m_ + moved_m + glm::length(velocity) * seconds + kMargin_m / 4;
+        if (glm::any(glm::lessThan(at, Vec3d(low) - reach_m)) ||
+            glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
+            continue;
+        const auto touch = ball_contact(
+            world, near.id, near.center_m, near.world_from_mass, at, radius_m, reach_m);
+        if (!touch) continue;
+        contacts_.push_back({.near = number,
+                             .place = place,
+                             .normal = touch->normal,
+                             .arm_m = touch->on_body_m - near.center_m,
+                             .gap_m = touch->distance_m});
+    }
+}
+
+const std::vector<SurfacePlace>& Deformable::places(std::uint32_t along) {
+    const auto [found, is_new] = places_.try_emplace(along);
+    if (is_new) found->second = body_->places(along);
+    return found->second;
+}
+
+Vec3d Deformable::mean_of(std::span<const Vec3d> values, const SurfacePlace& place) const {
+    Vec3d mean{0, 0, 0};
+    for (std::size_t i = 0; i < 4; ++i) mean += place.weights[i] * values[place.points[i]];
+    return mean;
+}
+
+void Deformable::substep(const Vec3d& gravity_mps2, double h) {
+    for (Near& near : near_) {
+        if (near.falls) near.velocity_mps += gravity_mps2 * h;
+    }
+    lead_pins(h);
+    body_->accelerate(gravity_mps2);
+    load_holders();
+    solve_contacts(h);
+    body_->move();
+    for (Contact& contact : contacts_)
+        contact.gap_m += glm::dot(contact.normal, velocity_of(contact)) * h;
+    move_near(h);
+}
+
+/// Where what holds them will be at the end of the sub-step.
+void Deformable::lead_pins(double h) {
+    for (const Holder& holder : holders_) {
+        Vec3d target = holder.in_mass_m;
+        if (holder.to) {
+            const Near& near = *std::ranges::find(near_, holder.to, &Near::id);
+            const Quatd then = turn_by(near.spin_radps, h) * near.world_from_mass;
+            target = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
+        }
+        body_->lead(holder.point, (target - body_->positions_m()[holder.point]) / h);
+    }
+}
+
+void Deformable::load_holders() {
+    for (const Holder& holder : holders_) {
+        if (!holder.to) continue;
+        Near& near = *std::ranges::find(near_, holder.to, &Near::id);
+        push(near,
+             body_->support_Ns(holder.point),
+             body_->positions_m()[holder.point] - near.center_m);
+    }
+}
+
+void Deformable::solve_contacts(double h) {
+    for (Contact& contact : contacts_) {
+        contact.pressed_Ns = 0;
+        contact.rubbed_Ns = {0, 0, 0};
+    }
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        for (Contact& contact : contacts_) solve(contact, h);
+    }
+}
+
+/// Of the sheet against the body.
+Vec3d Deformable::velocity_of(const Contact& contact) const {
+    const Near& near = near_[contact.near];
+    return mean_of(body_->velocities_mps(), contact.place) - near.velocity_mps -
+           glm::cross(near.spin_radps, contact.arm_m);
+}
+
+void Deformable::solve(Contact& contact, double h) {
+    Near& near = near_[contact.near];
+    const Vec3d relative = velocity_of(contact);
+    const double opening = glm::dot(contact.normal, relative);
+    const double wanted =
+        contact.gap_m > 0 ? -contact.gap_m / h : std::min(-contact.gap_m * kOut_per_s, kOut_mps);
+    if (opening >= wanted && contact.pressed_Ns == 0) return;
+    double inverse_mass = near.inverse_mass;
+    for (std::size_t i = 0; i < 4; ++i)
+        inverse_mass += contact.place.weights[i] * contact.place.weights[i] *
+                        body_->inverse_mass(contact.place.points[i]);
+    const auto along = [&](const Vec3d& direction) {
+        const Vec3d turn =
+            glm::conjugate(near.world_from_mass) * glm::cross(contact.arm_m, direction);
+        return inverse_mass + glm::dot(turn, near.inverse_inertia * turn);
+    };
+    const double normal_weight = along(contact.normal);
+    if (!(normal_weight > 0)) return;
+    const double pressed = std::max(contact.pressed_Ns + (wanted - opening) / normal_weight, 0.0);
+    Vec3d impulse = contact.normal * (pressed - contact.pressed_Ns);
+    contact.pressed_Ns = pressed;
+    const Vec3d sliding = relative - contact.normal * opening;
+    const double speed = glm::length(sliding);
+    if (speed > 0) {
+        Vec3d rubbed = contact.rubbed_Ns - sliding / along(sliding / speed);
+        const double most = near.friction * pressed;
+        const double size = glm::length(rubbed);
+        if (size > most) rubbed *= most / size;
+        impulse += rubbed - contact.rubbed_Ns;
+        contact.rubbed_Ns = rubbed;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        body_->change_velocity(
+            contact.place.points[i],
+            impulse * (contact.place.weights[i] * body_->inverse_mass(contact.place.points[i])));
+    push(near, -impulse, contact.arm_m);
+}
+
+void Deformable::push(Near& near, const Vec3d& impulse_Ns, const Vec3d& arm_m) {
+    near.felt_Ns += impulse_Ns;
+    if (near.state == nullptr) return;
+    const Vec3d turn_Nms = glm::cross(arm_m, impulse_Ns);
+    near.velocity_mps += impulse_Ns * near.inverse_mass;
+    near.pushed_Ns += impulse_Ns;
+    near.spin_radps += near.world_from_mass *
+                       (near.inverse_inertia * (glm::conjugate(near.world_from_mass) * turn_Nms));
+    near.state->impulse_Ns += impulse_Ns;
+    near.state->angular_impulse_Nms += turn_Nms;
+}
+
+void Deformable::move_near(double h) {
+    for (Near& near : near_) {
+        near.center_m += near.velocity_mps * h;
+        near.world_from_mass = glm::normalize(turn_by(near.spin_radps, h) * near.world_from_mass);
+    }
+}
+
+void Deformable::Expected::serialize(Archive& archive) {
+    archive(body, pushed_mps, velocity_mps);
+}
+
+void Deformable::Load::serialize(Archive& archive) {
+    archive(body, force_N);
+}
+
+void Deformable::serialize(Archive& archive) {
+    body_->serialize(archive);
+    archive(calm_m_, calm_s_, asleep_, seen_, loads_, expected_);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,158 @@
+// A deforming body among rigid ones: what holds it, what it touches, and when it sleeps.
+//
+// Within each sub-step of the bodies it takes its own, shorter ones, and moves the bodies along with what it pushes them by: what a
+// body gets in its sub-step is the sum. Points touch bodies; where a body is small against the cells, places between them do, too.
+#pragma once
+
+#include "engine/physics/deformable/point_body.h"
+#include "engine/physics/force_field.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plumbline {
+class Archive;
+}
+
+namespace plumbline::physics {
+
+class PhysicsWorld;
+
+struct DeformablePin {
+    std::size_t point{0};
+    BodyId to{};  ///< none: the world
+};
+
+struct DeformableDef {
+    double thickness_m{0.004};
+    double friction{0.5};
+    double substeps_per_s{6000};  ///< at most
+    std::vector<DeformablePin> pins{};
+};
+
+class Deformable {
+public:
+    /// Bodies are where the pins hold them at the start.
+    Deformable(const PhysicsWorld& world,
+               std::unique_ptr<PointBody> body,
+               const DeformableDef& def);
+
+    const PointBody& body() const { return *body_; }
+    /// Whether all of its lists have so many, as they must after they were read.
+    bool has_points(std::size_t count) const {
+        return body_->positions_m().size() == count && body_->velocities_mps().size() == count;
+    }
+    double thickness_m() const { return thickness_m_; }
+    /// Before begin_step(): air at a point, for drag.
+    void set_air(std::size_t point, const Vec3d& velocity_mps);
+    /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
+    void begin_step(PhysicsWorld& world, double step_s);
+    bool is_asleep() const { return asleep_; }
+    /// The dynamic bodies that it pushes in this step; those that sleep do not move.
+    std::span<const BodyId> movable() const { return movable_; }
+    /// One sub-step of the bodies.
+    void act(const PhysicsWorld& world, std::span<BodyInField* const> bodies, double seconds);
+    /// What no sub-step of bodies has done of the step.
+    void end_step(const PhysicsWorld& world);
+    /// Own sub-steps in the step so far.
+    std::uint64_t substeps() const { return substeps_; }
+
+    void serialize(Archive& archive);
+
+private:
+    struct Holder {
+        std::size_t point{0};
+        BodyId to{};
+        Vec3d in_mass_m{0, 0, 0};  ///< in the mass frame of what holds it; world
+    };
+    /// A body near it, as it moves through a sub-step.
+    struct Near {
+        BodyId id{};
+        BodyInField* state{nullptr};  ///< null: it does not feel the sheet
+        Vec3d center_m{0, 0, 0};
+        Quatd world_from_mass{1, 0, 0, 0};
+        Vec3d velocity_mps{0, 0, 0};  ///< of the centre of mass
+        Vec3d spin_radps{0, 0, 0};
+        bool falls{false};  ///< by gravity
+        double inverse_mass{0};
+        Vec3d inverse_inertia{0, 0, 0};  ///< principal
+        double friction{0};
+        std::uint32_t places{1};  ///< along a cell's side that may touch it
+        bool touches{true};       ///< else it only holds pins
+        bool can_wake{false};     ///< asleep, and dynamic
+        Vec3d start_mps{0, 0, 0};
+        Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
+        Vec3d felt_Ns{0, 0, 0};    ///< of the sheet, in this step
+    };
+    /// A place of it near a body.
+    struct Contact {
+        std::uint32_t near{0};
+        SurfacePlace place{};
+        Vec3d normal{0, 1, 0};  ///< out of the body
+        Vec3d arm_m{0, 0, 0};   ///< from the body's centre
+        double gap_m{0};
+        double pressed_Ns{0};  ///< in the sub-step at hand
+        Vec3d rubbed_Ns{0, 0, 0};
+    };
+
+    /// What pushes made of a body in the sub-step before, if nothing else held it: what stands on something does not move so.
+    struct Expected {
+        BodyId body{};
+        Vec3d pushed_mps{0, 0, 0};
+        Vec3d velocity_mps{0, 0, 0};
+
+        void serialize(Archive& archive);
+    };
+    /// What the sheet did to a body when it fell asleep.
+    struct Load {
+        BodyId body{};
+        Vec3d force_N{0, 0, 0};
+
+        void serialize(Archive& archive);
+    };
+
+    void list_near(PhysicsWorld& world);
+    void add_near(const PhysicsWorld& world, BodyId id);
+    void wake_touched(PhysicsWorld& world);
+    void rest(double step_s, bool disturbed);
+    void place_near(std::span<BodyInField* const> bodies, double seconds);
+    double yield_of(BodyId body, const Vec3d& start_mps) const;
+    void note_expected(const Vec3d& gravity_mps2, double seconds);
+    void find_contacts(const PhysicsWorld& world, double seconds);
+    void add_contacts(const PhysicsWorld& world, std::uint32_t near, double seconds);
+    const std::vector<SurfacePlace>& places(std::uint32_t along);
+    Vec3d mean_of(std::span<const Vec3d> values, const SurfacePlace& place) const;
+    void substep(const Vec3d& gravity_mps2, double h);
+    void lead_pins(double h);
+    void load_holders();
+    void solve_contacts(double h);
+    void solve(Contact& contact, double h);
+    void push(Near& near, const Vec3d& impulse_Ns, const Vec3d& arm_m);
+    Vec3d velocity_of(const Contact& contact) const;
+    void move_near(double h);
+
+    std::unique_ptr<PointBody> body_;
+    double thickness_m_;
+    double friction_;
+    double substeps_per_s_;
+    std::vector<Holder> holders_;
+    std::vector<Near> near_;
+    std::vector<BodyId> movable_;
+    std::vector<Expected> expected_;
+    std::vector<Load> loads_;   ///< on those that sleep
+    std::vector<BodyId> seen_;  ///< what was near in the step before
+    std::vector<Contact> contacts_;
+    std::map<std::uint32_t, std::vector<SurfacePlace>> places_;  ///< by how many along a side
+    double blowing_mps_{0};                                      ///< the fastest air
+    double step_s_{0};
+    double done_s_{0};           ///< of the step
+    std::vector<Vec3d> calm_m_;  ///< where its points were when it last had moved
+    double calm_s_{0};           ///< since then
+    bool asleep_{false};
+    std::uint64_t substeps_{0};
+};
+
+}  // namespace plumbline::physics

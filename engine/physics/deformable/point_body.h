@@ -1,0 +1,102 @@
+// A body made of points that deforms: its state, and the order of one of its sub-steps. Knows nothing of other bodies.
+#pragma once
+
+#include "engine/core/math.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline {
+class Archive;
+}
+
+namespace plumbline::physics {
+
+/// A place on the surface, between up to four points; weights sum to 1.
+struct SurfacePlace {
+    std::array<std::uint32_t, 4> points{};
+    std::array<double, 4> weights{};
+};
+
+/// World axes. Forces are explicit (symplectic Euler), in sub-steps that resolve the waves in it: at rest they balance exactly,
+/// whatever the sub-steps, and momentum is kept. Where the sub-steps that are allowed do not resolve them, it is softer than it was
+/// asked to be.
+class PointBody {
+public:
+    virtual ~PointBody() = default;
+    PointBody(const PointBody&) = delete;
+    PointBody& operator=(const PointBody&) = delete;
+
+    std::span<const Vec3d> positions_m() const { return positions_m_; }
+    std::span<const Vec3d> velocities_mps() const { return velocities_mps_; }
+    double mass_kg(std::size_t point) const { return masses_kg_[point]; }
+    double mass_kg() const;
+    double inverse_mass(std::size_t point) const { return inverse_masses_[point]; }
+
+    /// From now on the point goes where it is led.
+    void pin(std::size_t point) { inverse_masses_[point] = 0; }
+    void unpin(std::size_t point) { inverse_masses_[point] = 1 / masses_kg_[point]; }
+    bool is_pinned(std::size_t point) const { return inverse_masses_[point] == 0; }
+    void lead(std::size_t point, const Vec3d& velocity_mps) {
+        velocities_mps_[point] = velocity_mps;
+    }
+    /// What a pinned point pushed what holds it by in the latest sub-step, N s.
+    const Vec3d& support_Ns(std::size_t point) const { return impulses_Ns_[point]; }
+
+    /// Sub-steps that the coming `seconds` take, at most `most`. The sub-steps follow, one by one.
+    virtual std::uint32_t plan(double seconds, std::uint32_t most) = 0;
+    double substep_s() const { return substep_s_; }  ///< of the latest plan
+    /// Of the latest plan: the share of its stiffness that the sub-steps bear.
+    double stiffness_share() const { return stiffness_share_; }
+    /// Changes velocities by all forces of a sub-step.
+    void accelerate(const Vec3d& gravity_mps2);
+    /// At once: contacts.
+    void change_velocity(std::size_t point, const Vec3d& by_mps) {
+        velocities_mps_[point] += by_mps;
+    }
+    /// Leaves this share of all motion.
+    void slow_down(double share);
+    /// Moves points along their velocities.
+    void move();
+
+    /// Air at a point, for what feels it.
+    virtual bool feels_air() const { return false; }
+    virtual void set_air(std::size_t, const Vec3d&) {}
+    /// Places that may touch others, `along` of them on the side of each cell, both corners counted as one.
+    virtual std::vector<SurfacePlace> places(std::uint32_t along) const = 0;
+    virtual double longest_side_m() const = 0;  ///< of a cell at rest
+
+    Vec3d moment_kgm() const;  ///< sum of mass times place
+    Vec3d momentum_kgmps() const;
+    Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
+    double kinetic_J() const;
+    virtual double elastic_J() const = 0;
+
+    void serialize(Archive& archive);
+
+protected:
+    PointBody() = default;
+    void add_point(const Vec3d& position_m, double mass_kg);
+
+    /// Adds to impulses_Ns_ what acts in the sub-step.
+    virtual void add_forces() = 0;
+    /// After velocities have changed.
+    virtual void damp() {}
+    virtual void after_move() {}
+    virtual void serialize_own(Archive&) {}
+    /// Of the forces on a point.
+    virtual double weight_of(std::size_t) const { return 1; }
+
+    std::vector<Vec3d> positions_m_;
+    std::vector<Vec3d> velocities_mps_;
+    std::vector<double> masses_kg_;
+    std::vector<double> inverse_masses_;
+    std::vector<Vec3d> impulses_Ns_;
+    double substep_s_{0};
+    double stiffness_share_{1};
+};
+
+}  // namespace plumbline::physics

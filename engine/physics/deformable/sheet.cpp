@@ -1,0 +1,370 @@
+#include "engine/physics/deformable/sheet.h"
+
+#include "engine/core/io/archive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Symplectic Euler is stable while the square of what a sub-step turns the fastest mode by is below 4.
+constexpr double kMost_rad2 = 2.8;
+/// Of it, what bending and tension across the threads have where not all of it can be had.
+constexpr double kMostBending_rad2 = 0.8;
+constexpr double kMostAcross_rad2 = 0.5;
+/// Threads give back a little less than they take, so that what rings falls silent: a mode of frequency w decays at this times w2 h / 2.
+constexpr double kInternalFriction = 0.05;
+/// Shorter threads have no direction.
+constexpr double kNoLength_m = 1e-9;
+
+}  // namespace
+
+Sheet::Sheet(const SheetDef& def)
+    : columns_(def.cells[0] + 1),
+      rows_(def.cells[1] + 1),
+      cell_m_{def.size_m[0] / def.cells[0], def.size_m[1] / def.cells[1]},
+      def_(def) {
+    for (std::uint32_t row = 0; row < rows_; ++row) {
+        for (std::uint32_t column = 0; column < columns_; ++column) {
+            const Vec3d flat{
+                cell_m_[0] * column - def.size_m[0] / 2, def.size_m[1] / 2 - cell_m_[1] * row, 0};
+            const double share =
+                (column % (columns_ - 1) == 0 ? 0.5 : 1.0) * (row % (rows_ - 1) == 0 ? 0.5 : 1.0);
+            add_point(def.position_m + def.orientation * flat,
+                      def.density_kgpm2 * cell_m_[0] * cell_m_[1] * share);
+        }
+    }
+    air_mps_.assign(positions_m_.size(), Vec3d{0, 0, 0});
+    add_threads();
+}
+
+void Sheet::add_threads() {
+    const auto add_line = [this](std::size_t axis,
+                                 std::uint32_t first,
+                                 std::uint32_t stride,
+                                 std::uint32_t count,
+                                 bool border) {
+        const double width_m = cell_m_[1 - axis] * (border ? 0.5 : 1.0);
+        const double length_m = cell_m_[axis];
+        ThreadFamily& family = families_[axis];
+        for (std::uint32_t i = 0; i + 1 < count; ++i)
+            family.threads.push_back({.a = first + i * stride,
+                                      .b = first + (i + 1) * stride,
+                                      .rest_m = length_m,
+                                      .stiffness_Npm = def_.stretch_Npm * width_m / length_m,
+                                      .width_m = width_m});
+        family.line_ends.push_back(static_cast<std::uint32_t>(family.threads.size()));
+        const double bend_Npm = def_.bend_Nm * width_m / (length_m * length_m * length_m);
+        strips_[axis].strips.push_back(
+            {.first = first, .stride = stride, .count = count, .stiffness_Npm = bend_Npm});
+    };
+    for (std::uint32_t row = 0; row < rows_; ++row)
+        add_line(0, row * columns_, 1, columns_, row % (rows_ - 1) == 0);
+    for (std::uint32_t column = 0; column < columns_; ++column)
+        add_line(1, column, columns_, rows_, column % (columns_ - 1) == 0);
+}
+
+/// Gershgorin: twice the sum of what crosses a point's threads, over its mass, bounds the square of its frequency.
+std::vector<double> Sheet::across_radps2() const {
+    std::vector<double> across(positions_m_.size(), 0.0);
+    for (const ThreadFamily& family : families_) {
+        for (const Thread& thread : family.threads) {
+            const double length_m = glm::distance(positions_m_[thread.a], positions_m_[thread.b]);
+            if (!(length_m > thread.rest_m)) continue;
+            const double each = 2 * thread.stiffness_Npm * (length_m - thread.rest_m) / length_m;
+            across[thread.a] += each * inverse_masses_[thread.a];
+            across[thread.b] += each * inverse_masses_[thread.b];
+        }
+    }
+    return across;
+}
+
+std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
+    const double x2 = 1 / (cell_m_[0] * cell_m_[0]);
+    const double y2 = 1 / (cell_m_[1] * cell_m_[1]);
+    const double rho = def_.density_kgpm2;
+    const double stretching =
+        4 * (def_.stretch_Npm * (x2 + y2) + def_.shear_Npm * std::max(x2, y2)) / rho;
+    const double bending = 16 * def_.bend_Nm * (x2 + y2) * (x2 + y2) / rho;
+    std::vector<double> across = across_radps2();
+    const double tension = *std::ranges::max_element(across);
+    const double wanted =
+        std::ceil(seconds * std::sqrt((stretching + bending + tension) / kMost_rad2));
+    const auto count = static_cast<std::uint32_t>(
+        std::clamp(wanted, 1.0, static_cast<double>(std::max(most, 1U))));
+    substep_s_ = seconds / count;
+    stiffness_share_ = bend_share_ = 1;
+    weights_.clear();
+    if (count >= wanted) return count;
+    const double h2 = substep_s_ * substep_s_;
+    bend_share_ = std::min(1.0, kMostBending_rad2 / std::max(bending * h2, 1e-12));
+    const double left_rad2 =
+        kMost_rad2 - bend_share_ * bending * h2 - std::min(tension * h2, kMostAcross_rad2);
+    stiffness_share_ = std::min(1.0, left_rad2 / std::max(stretching * h2, 1e-12));
+    if (tension * h2 <= kMostAcross_rad2) return count;
+    for (double& weight : across)
+        weight = std::min(1.0, kMostAcross_rad2 / std::max(weight * h2, 1e-12));
+    weights_ = std::move(across);
+    return count;
+}
+
+std::vector<SurfacePlace> Sheet::places(std::uint32_t along) const {
+    std::vector<SurfacePlace> places;
+    for (std::uint32_t row = 0; row <= (rows_ - 1) * along; ++row) {
+        for (std::uint32_t column = 0; column <= (columns_ - 1) * along; ++column) {
+            const std::uint32_t left = std::min(column / along, columns_ - 2);
+            const std::uint32_t top = std::min(row / along, rows_ - 2);
+            const double x = static_cast<double>(column - left * along) / along;
+            const double y = static_cast<double>(row - top * along) / along;
+            const std::uint32_t corner = top * columns_ + left;
+            places.push_back(
+                {.points = {corner, corner + 1, corner + columns_, corner + columns_ + 1},
+                 .weights = {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}});
+        }
+    }
+    return places;
+}
+
+void Sheet::add_forces() {
+    add_stretch();
+    add_shear();
+    if (def_.bend_Nm > 0) add_bending();
+    if (def_.drag > 0) add_drag();
+}
+
+void Sheet::add_stretch() {
+    const double h = substep_s_;
+    for (ThreadFamily& family : families_) {
+        for (Thread& thread : family.threads) {
+            const Vec3d along = positions_m_[thread.b] - positions_m_[thread.a];
+            const double length_m = glm::length(along);
+            if (length_m > kNoLength_m) thread.direction = along / length_m;
+            const double opening_m =
+                glm::dot(thread.direction, velocities_mps_[thread.b] - velocities_mps_[thread.a]) *
+                h;
+            const double pull_Ns = stiffness_share_ * thread.stiffness_Npm * h *
+                                   (length_m - thread.rest_m + opening_m * kInternalFriction);
+            impulses_Ns_[thread.a] += thread.direction * pull_Ns;
+            impulses_Ns_[thread.b] -= thread.direction * pull_Ns;
+        }
+    }
+}
+
+/// By the two diagonals e and f of a cell: (e2 - f2) / 4 is the dot product of its mean sides.
+void Sheet::add_shear() {
+    const double area_m2 = cell_m_[0] * cell_m_[1];
+    const double scale = stiffness_share_ * def_.shear_Npm * substep_s_ / (8 * area_m2);
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            if (torn_ > 0 && !is_whole(column, row)) continue;
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const Vec3d e = positions_m_[below + 1] - positions_m_[top];
+            const Vec3d f = positions_m_[below] - positions_m_[top + 1];
+            const double half_Nspm = scale * (glm::dot(e, e) - glm::dot(f, f));
+            impulses_Ns_[top] += e * half_Nspm;
+            impulses_Ns_[below + 1] -= e * half_Nspm;
+            impulses_Ns_[top + 1] -= f * half_Nspm;
+            impulses_Ns_[below] += f * half_Nspm;
+        }
+    }
+}
+
+void Sheet::add_bending() {
+    const double scale_s = bend_share_ * substep_s_;
+    for (const StripFamily& family : strips_) {
+        for (const StripFamily::Strip& strip : family.strips) {
+            const double k = strip.stiffness_Npm * scale_s;
+            for (std::uint32_t i = 0; i + 2 < strip.count; ++i) {
+                const std::size_t first = strip.first + std::size_t{i} * strip.stride;
+                const std::size_t middle = first + strip.stride;
+                const std::size_t last = middle + strip.stride;
+                const double held = clamp_factor(
+                    inverse_masses_[first], inverse_masses_[middle], inverse_masses_[last]);
+                const Vec3d pull =
+                    (positions_m_[first] - 2.0 * positions_m_[middle] + positions_m_[last]) *
+                    (k * held);
+                impulses_Ns_[first] -= pull;
+                impulses_Ns_[middle] += 2.0 * pull;
+                impulses_Ns_[last] -= pull;
+            }
+        }
+    }
+    const double twist_Nspm = 2 * def_.bend_Nm * scale_s / (cell_m_[0] * cell_m_[1]);
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const Vec3d pull = (positions_m_[top] - positions_m_[top + 1] - positions_m_[below] +
+                                positions_m_[below + 1]) *
+                               twist_Nspm;
+            impulses_Ns_[top] -= pull;
+            impulses_Ns_[top + 1] += pull;
+            impulses_Ns_[below] += pull;
+            impulses_Ns_[below + 1] -= pull;
+        }
+    }
+}
+
+/// Each line takes exactly what its damping takes in the sub-step, never more than there is; forwards and backwards by half, which
+/// keeps all of it together stable, too.
+void Sheet::damp() {
+    if (!(def_.damping_s > 0)) return;
+    const double half_s2 = substep_s_ * def_.damping_s / 2;
+    const double shear_kgm2 = def_.shear_Npm * cell_m_[0] * cell_m_[1] * half_s2 * stiffness_share_;
+    const std::uint32_t across = columns_ - 1;
+    const std::uint32_t cells = across * (rows_ - 1);
+    for (StripFamily& strips : strips_)
+        strips.relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
+    for (ThreadFamily& family : families_)
+        family.relax(half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
+    for (std::uint32_t i = 0; i < cells; ++i) damp_shear(i % across, i / across, shear_kgm2);
+    for (std::uint32_t i = cells; i-- > 0;) damp_shear(i % across, i / across, shear_kgm2);
+    for (const std::size_t axis : {1U, 0U})
+        families_[axis].relax(
+            half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
+    for (const std::size_t axis : {1U, 0U})
+        strips_[axis].relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
+}
+
+void Sheet::damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2) {
+    if (torn_ > 0 && !is_whole(column, row)) return;
+    const double twice_m2 = 2 * cell_m_[0] * cell_m_[1];
+    const std::array<std::size_t, 4> corners{
+        at(column, row), at(column + 1, row + 1), at(column, row + 1), at(column + 1, row)};
+    const Vec3d e = (positions_m_[corners[1]] - positions_m_[corners[0]]) / twice_m2;
+    const Vec3d f = (positions_m_[corners[2]] - positions_m_[corners[3]]) / twice_m2;
+    const std::array<Vec3d, 4> gradients{-e, e, -f, f};
+    double opening = 0;
+    double weight = 1 / stiff_kgm2;
+    for (std::size_t i = 0; i < 4; ++i) {
+        opening += glm::dot(gradients[i], velocities_mps_[corners[i]]);
+        weight += inverse_masses_[corners[i]] * glm::dot(gradients[i], gradients[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3d impulse = gradients[i] * (-opening / weight);
+        velocities_mps_[corners[i]] += impulse * inverse_masses_[corners[i]];
+        if (!(inverse_masses_[corners[i]] > 0)) impulses_Ns_[corners[i]] += impulse;
+    }
+}
+
+void Sheet::add_drag() {
+    const double h = substep_s_;
+    const double half_rho = 0.5 * def_.air_density_kgpm3 * def_.drag;
+    const double third_kg = def_.density_kgpm2 * cell_m_[0] * cell_m_[1] / 6;
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+        const Vec3d across =
+            glm::cross(positions_m_[b] - positions_m_[a], positions_m_[c] - positions_m_[a]);
+        const double twice_m2 = glm::length(across);
+        if (!(twice_m2 > 0)) return;
+        const Vec3d normal = across / twice_m2;
+        const Vec3d against = (velocities_mps_[a] - air_mps_[a] + velocities_mps_[b] - air_mps_[b] +
+                               velocities_mps_[c] - air_mps_[c]) /
+                              3.0;
+        // A third of it for each point, solved over the sub-step.
+        const double k_kgps = half_rho * twice_m2 / 6 * glm::length(against);
+        const Vec3d push =
+            normal * (glm::dot(against, normal) * k_kgps * h / (1 + k_kgps * h / third_kg));
+        impulses_Ns_[a] -= push;
+        impulses_Ns_[b] -= push;
+        impulses_Ns_[c] -= push;
+    };
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const bool falls = (row + column) % 2 == 0;  // diagonals alternate
+            add(top, below, falls ? below + 1 : top + 1);
+            add(falls ? top : below, below + 1, top + 1);
+        }
+    }
+}
+
+void Sheet::after_move() {
+    if (!(def_.tear_Npm > 0)) return;
+    for (const std::size_t axis : {0U, 1U}) {
+        for (Thread& thread : families_[axis].threads) {
+            if (!(thread.stiffness_Npm > 0)) continue;
+            const double length_m = glm::distance(positions_m_[thread.a], positions_m_[thread.b]);
+            const double tension_N =
+                stiffness_share_ * thread.stiffness_Npm * (length_m - thread.rest_m);
+            if (tension_N <= def_.tear_Npm * thread.width_m) continue;
+            thread.stiffness_Npm = 0;
+            ++torn_;
+        }
+    }
+}
+
+bool Sheet::is_whole(std::uint32_t column, std::uint32_t row) const {
+    const std::uint32_t along_x = columns_ - 1;
+    const std::uint32_t along_y = rows_ - 1;
+    const auto holds = [&](std::size_t axis, std::uint32_t thread) {
+        return families_[axis].threads[thread].stiffness_Npm > 0;
+    };
+    return holds(0, row * along_x + column) && holds(0, (row + 1) * along_x + column) &&
+           holds(1, column * along_y + row) && holds(1, (column + 1) * along_y + row);
+}
+
+double Sheet::area_m2() const {
+    double twice_m2 = 0;
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            twice_m2 += glm::length(glm::cross(positions_m_[below + 1] - positions_m_[top],
+                                               positions_m_[below] - positions_m_[top + 1]));
+        }
+    }
+    return twice_m2 / 2;
+}
+
+double Sheet::elastic_J() const {
+    double sum = 0;
+    for (const std::size_t axis : {0U, 1U}) {
+        for (const Thread& thread : families_[axis].threads) {
+            const double drawn_m =
+                glm::distance(positions_m_[thread.a], positions_m_[thread.b]) - thread.rest_m;
+            sum += 0.5 * stiffness_share_ * thread.stiffness_Npm * drawn_m * drawn_m;
+        }
+        for (const StripFamily::Strip& strip : strips_[axis].strips) {
+            for (std::uint32_t i = 0; i + 2 < strip.count; ++i) {
+                const std::size_t first = strip.first + std::size_t{i} * strip.stride;
+                const Vec3d bent = positions_m_[first] - 2.0 * positions_m_[first + strip.stride] +
+                                   positions_m_[first + 2 * std::size_t{strip.stride}];
+                const double held =
+                    clamp_factor(inverse_masses_[first],
+                                 inverse_masses_[first + strip.stride],
+                                 inverse_masses_[first + 2 * std::size_t{strip.stride}]);
+                sum += 0.5 * held * bend_share_ * strip.stiffness_Npm * glm::dot(bent, bent);
+            }
+        }
+    }
+    const double area_m2 = cell_m_[0] * cell_m_[1];
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const Vec3d e = positions_m_[below + 1] - positions_m_[top];
+            const Vec3d f = positions_m_[below] - positions_m_[top + 1];
+            const double angle = (glm::dot(e, e) - glm::dot(f, f)) / (4 * area_m2);
+            const Vec3d twist = positions_m_[top] - positions_m_[top + 1] - positions_m_[below] +
+                                positions_m_[below + 1];
+            sum += glm::dot(twist, twist) * bend_share_ * def_.bend_Nm / area_m2;
+            if (torn_ == 0 || is_whole(column, row))
+                sum += 0.5 * stiffness_share_ * def_.shear_Npm * area_m2 * angle * angle;
+        }
+    }
+    return sum;
+}
+
+void Sheet::serialize_own(Archive& archive) {
+    for (const std::size_t axis : {0U, 1U}) {
+        for (Thread& thread : families_[axis].threads) archive(thread.stiffness_Npm);
+    }
+    std::uint64_t torn = torn_;
+    archive(torn);
+    torn_ = torn;
+}
+
+}  // namespace plumbline::physics

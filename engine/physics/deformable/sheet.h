@@ -1,0 +1,88 @@
+// A rectangular sheet of cloth: points on a grid, springs along the threads, shear of cells, bending. docs/PHYSICS.md, "Cloth".
+#pragma once
+
+#include "engine/physics/deformable/point_body.h"
+#include "engine/physics/deformable/sheet_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline {
+class Archive;
+}
+
+namespace plumbline::physics {
+
+struct SheetDef {
+    std::array<double, 2> size_m{1, 1};          ///< along its x and y
+    std::array<std::uint32_t, 2> cells{20, 20};  ///< likewise, >= 1
+    Vec3d position_m{0, 0, 0};                   ///< of its middle
+    Quatd orientation{1, 0, 0, 0};
+    double density_kgpm2{0.2};
+    double stretch_Npm{2000};  ///< force per width and engineering strain, along x and along y
+    double shear_Npm{667};
+    double bend_Nm{1e-4};  ///< moment per width and curvature; no transverse contraction
+    double damping_s{0};   ///< of the material
+    double drag{0};        ///< coefficient of a triangle across the air
+    double air_density_kgpm3{1.2};
+    double tear_Npm{0};  ///< tension per width that a thread bears; 0: any
+};
+
+/// Points row by row from the top (+y), each from the left (-x).
+class Sheet final : public PointBody {
+public:
+    explicit Sheet(const SheetDef& def);
+
+    std::uint32_t columns() const { return columns_; }  ///< of points
+    std::uint32_t rows() const { return rows_; }
+
+    std::uint32_t plan(double seconds, std::uint32_t most) override;
+    bool feels_air() const override { return def_.drag > 0; }
+    void set_air(std::size_t point, const Vec3d& velocity_mps) override {
+        air_mps_[point] = velocity_mps;
+    }
+    std::vector<SurfacePlace> places(std::uint32_t along) const override;
+    double longest_side_m() const override { return std::max(cell_m_[0], cell_m_[1]); }
+
+    double area_m2() const;
+    double elastic_J() const override;
+    std::size_t torn() const { return torn_; }  ///< threads between two points
+    /// Whether a cell has all of its threads.
+    bool is_whole(std::uint32_t column, std::uint32_t row) const;
+
+private:
+    std::size_t at(std::uint32_t column, std::uint32_t row) const {
+        return std::size_t{row} * columns_ + column;
+    }
+    void add_forces() override;
+    void damp() override;
+    void after_move() override;
+    void serialize_own(Archive& archive) override;
+    double weight_of(std::size_t point) const override {
+        return weights_.empty() ? 1 : weights_[point];
+    }
+    void add_threads();
+    std::vector<double> across_radps2() const;
+    void add_stretch();
+    void add_shear();
+    void add_bending();
+    void add_drag();
+    void damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2);
+
+    std::uint32_t columns_;
+    std::uint32_t rows_;
+    std::array<double, 2> cell_m_;
+    SheetDef def_;
+    std::vector<Vec3d> air_mps_;
+    std::array<ThreadFamily, 2> families_;  ///< along x and along y
+    std::array<StripFamily, 2> strips_;
+    double bend_share_{1};  ///< as stiffness_share(), which is of stretch and shear
+    std::vector<double>
+        weights_;  ///< of forces on points that tension pulls across too fast; empty: 1
+    std::size_t torn_{0};
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,72 @@
+// Lines of points that stiff threads or bending tie together, solved line by line.
+#pragma once
+
+#include "engine/core/math.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// A spring between two points.
+struct Thread {
+    std::uint32_t a{0};
+    std::uint32_t b{0};
+    double rest_m{0};
+    double stiffness_Npm{0};   ///< 0: torn
+    double width_m{0};         ///< of the sheet that it stands for
+    Vec3d direction{1, 0, 0};  ///< unit, from a to b
+};
+
+/// Lines of threads, one after the other; within a line each begins where the one before ends.
+class ThreadFamily {
+public:
+    std::vector<Thread> threads;
+    std::vector<std::uint32_t> line_ends;  ///< number of the thread after a line's last
+
+    /// Velocities become (1 + W K scale)^-1 times what they are, K the stiffness of the threads: by the tensions of each line, a
+    /// tridiagonal system. What threads pull at points that nothing moves is added to `held_Ns`.
+    void relax(double scale_s2,
+               std::span<const double> inverse_masses,
+               std::span<Vec3d> velocities_mps,
+               std::span<Vec3d> held_Ns);
+
+private:
+    std::vector<double> upper_;  // scratch, by thread of a line
+    std::vector<double> pulls_Ns_;
+};
+
+/// A point at which a line is clamped, with one neighbour, bends over half of a cell only: twice as stiffly. By the inverse masses.
+constexpr double clamp_factor(double first, double middle, double last) {
+    return middle == 0 && (first == 0) != (last == 0) ? 2 : 1;
+}
+
+/// Lines of points that bend.
+class StripFamily {
+public:
+    struct Strip {
+        std::uint32_t first{0};   ///< point
+        std::uint32_t stride{1};  ///< from a point to the next
+        std::uint32_t count{0};
+        double stiffness_Npm{
+            0};  ///< energy is half of it times the square of each second difference
+    };
+    std::vector<Strip> strips;
+
+    /// As ThreadFamily::relax, with the stiffness of second differences: five diagonals.
+    void relax(double scale_s2,
+               std::span<const double> inverse_masses,
+               std::span<Vec3d> velocities_mps);
+
+private:
+    struct Row {
+        double diagonal{0};
+        double next{0};  // factors of the two rows after
+        double second{0};
+        Vec3d momentum{0, 0, 0};
+    };
+    std::vector<Row> rows_;
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,311 @@
+#include "engine/physics/deformable/soft_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace plumbline::physics {
+namespace {
+
+/// Of stiffness: the square of what a sub-step turns the fastest mode by; symplectic Euler bears 4 with twice the damping's share.
+constexpr double kMostSoft_rad2 = 2.4;
+/// Of that, what damping may take where not all of it can be had.
+constexpr double kMostDamping_rad2 = 0.6;
+/// Damping that lets what rings fall silent, in sub-steps.
+constexpr double kSoftFriction = 0.02;
+
+double sign_of(std::uint32_t point, std::size_t axis) {
+    return (point >> axis & 1U) != 0 ? 1.0 : -1.0;
+}
+
+/// Columns are the derivatives of the determinant by the columns of `m`.
+glm::dmat3 cofactors(const glm::dmat3& m) {
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+double square_sum(const glm::dmat3& m) {
+    return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]);
+}
+
+}  // namespace
+
+SoftBody::SoftBody(SoftBodyDef def)
+    : def_(std::move(def)),
+      shear_Pa_(def_.young_Pa / (2 * (1 + def_.poisson))),
+      volume_Pa_(def_.young_Pa * def_.poisson / ((1 + def_.poisson) * (1 - 2 * def_.poisson)) +
+                 shear_Pa_) {
+    std::vector<double> masses_kg(def_.grid.points_m.size(), 0.0);
+    shortest_m2_ = 1e30;
+    for (std::size_t i = 0; i < def_.grid.cells.size(); ++i) {
+        cells_.push_back(cell_of(i));
+        for (const std::uint32_t point : def_.grid.cells[i])
+            masses_kg[point] += def_.density_kgpm3 * cells_.back().volume_m3 / 8;
+        // Four points to each side of every plane: the gradient of the fastest wave (Flanagan and Belytschko 1984).
+        double steepest_pm2 = 0;
+        for (const Vec3d& gradient : cells_.back().gradients_pm)
+            steepest_pm2 += glm::dot(gradient, gradient);
+        shortest_m2_ = std::min(shortest_m2_, 1 / (8 * steepest_pm2));
+    }
+    for (std::size_t i = 0; i < masses_kg.size(); ++i)
+        add_point(def_.grid.points_m[i], masses_kg[i]);
+    for (const SoftGrid::Face& face : def_.grid.faces) {
+        for (std::size_t i = 0; i < 4; ++i)
+            longest_side_m_ = std::max(longest_side_m_,
+                                       glm::distance(positions_m_[face.points[i]],
+                                                     positions_m_[face.points[(i + 1) % 4]]));
+    }
+}
+
+SoftBody::Cell SoftBody::cell_of(std::size_t number) const {
+    Cell cell;
+    std::array<Vec3d, 8> at{};
+    for (std::uint32_t i = 0; i < 8; ++i) at[i] = def_.grid.points_m[def_.grid.cells[number][i]];
+    glm::dmat3 jacobian{0.0};  // columns: half of the cell's mean sides
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            jacobian[static_cast<int>(axis)] += at[i] * (sign_of(i, axis) / 8);
+    }
+    cell.volume_m3 = 8 * glm::determinant(jacobian);
+    const glm::dmat3 inverse = glm::transpose(glm::inverse(jacobian));
+    std::array<double, 3> side_m{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Vec3d half = jacobian[static_cast<int>(axis)];
+        side_m[axis] = 2 * glm::length(half);
+        cell.axes[axis] = glm::normalize(half);
+    }
+    for (std::uint32_t i = 0; i < 8; ++i)
+        cell.gradients_pm[i] = inverse * (Vec3d{sign_of(i, 0), sign_of(i, 1), sign_of(i, 2)} / 8.0);
+    // Plane stress: what bends contracts across itself, as it likes along the way in which strain grows.
+    const double plate_N = 4.0 / 3 * def_.young_Pa / (1 - def_.poisson * def_.poisson);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        cell.contraction_Npm[axis] = def_.poisson * plate_N * cell.volume_m3 /
+                                     (side_m[(axis + 1) % 3] * side_m[(axis + 2) % 3]);
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+        const auto is_in = [mode](std::size_t axis) { return mode == 3 || axis != mode; };
+        std::array<double, 8> shape{};
+        Vec3d uniform{0, 0, 0};
+        for (std::uint32_t i = 0; i < 8; ++i) {
+            shape[i] = 1;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                shape[i] *= is_in(axis) ? sign_of(i, axis) : 1;
+            uniform += at[i] * shape[i];
+        }
+        for (std::uint32_t i = 0; i < 8; ++i)
+            cell.modes[mode][i] = (shape[i] - glm::dot(uniform, cell.gradients_pm[i])) / 8;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double side2 = side_m[axis] * side_m[axis];
+            double& stiffness = cell.mode_Npm[mode][axis];
+            if (mode == 3) {
+                stiffness = 4.0 / 9 * def_.young_Pa * cell.volume_m3 / side2;
+            } else if (axis != mode) {  // bends: strain along the axis grows across it
+                stiffness = plate_N * cell.volume_m3 / side2;
+            } else {  // twists
+                const double j = side_m[(axis + 1) % 3];
+                const double k = side_m[(axis + 2) % 3];
+                stiffness = 2.0 / 3 * shear_Pa_ * cell.volume_m3 * (1 / (j * j) + 1 / (k * k));
+            }
+        }
+    }
+    return cell;
+}
+
+SoftBody::Modes SoftBody::pulls_of(const Cell& cell, const Modes& bent_m) const {
+    Modes pulls_N{};
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            pulls_N[mode][axis] = cell.mode_Npm[mode][axis] * bent_m[mode][axis];
+    }
+    for (std::size_t across = 0; across < 3; ++across) {
+        const std::size_t i = (across + 1) % 3;
+        const std::size_t j = (across + 2) % 3;
+        pulls_N[j][i] += cell.contraction_Npm[across] * bent_m[i][j];
+        pulls_N[i][j] += cell.contraction_Npm[across] * bent_m[j][i];
+    }
+    return pulls_N;
+}
+
+SoftBody::Strain SoftBody::strain_of(std::size_t number, const std::vector<Vec3d>& of) const {
+    const Cell& cell = cells_[number];
+    Strain strain{.gradient = glm::dmat3{0.0}, .modes_m = {}};
+    strain.modes_m.fill(Vec3d{0, 0, 0});
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vec3d& at = of[def_.grid.cells[number][i]];
+        for (int axis = 0; axis < 3; ++axis)
+            strain.gradient[axis] += at * cell.gradients_pm[i][axis];
+        for (std::size_t mode = 0; mode < 4; ++mode)
+            strain.modes_m[mode] += at * cell.modes[mode][i];
+    }
+    return strain;
+}
+
+std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
+    // Of the second derivative of the energy by the volume's part, over lambda.
+    double squeezed = 1;
+    const double rest = 1 + shear_Pa_ / volume_Pa_;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const glm::dmat3 f = strain_of(i, positions_m_).gradient;
+        const glm::dmat3 by_volume = cofactors(f);
+        const double away = std::abs(glm::dot(f[0], by_volume[0]) - rest);
+        const double bound = square_sum(by_volume) / 3 +
+                             std::max(0.0, away * std::sqrt(square_sum(f) / 3) - (rest - 1));
+        squeezed = std::max(squeezed, bound);
+    }
+    const double fastest_radps2 =
+        ((volume_Pa_ - shear_Pa_) * squeezed + 2 * shear_Pa_ + def_.young_Pa / 3) /
+        (def_.density_kgpm3 * shortest_m2_);
+    const double damping = def_.damping_s * fastest_radps2;
+    // (w h)2 + 2 d w2 h = kMost.
+    const double longest_s =
+        kMostSoft_rad2 / (damping + std::sqrt(damping * damping + kMostSoft_rad2 * fastest_radps2));
+    const double wanted = std::ceil(seconds / longest_s);
+    const auto count = static_cast<std::uint32_t>(
+        std::clamp(wanted, 1.0, static_cast<double>(std::max(most, 1U))));
+    substep_s_ = seconds / count;
+    stiffness_share_ = 1;
+    damping_s_ = def_.damping_s;
+    if (count >= wanted) return count;
+    const double turned_rad2 = fastest_radps2 * substep_s_ * substep_s_;
+    damping_s_ = std::min(damping_s_, kMostDamping_rad2 / 2 / (fastest_radps2 * substep_s_));
+    stiffness_share_ = std::min(1.0, (kMostSoft_rad2 - kMostDamping_rad2) / turned_rad2);
+    return count;
+}
+
+void SoftBody::add_forces() {
+    const double h = substep_s_ * stiffness_share_;
+    // Where it is about to be: what rings loses a little in each sub-step.
+    ahead_m_ = positions_m_;
+    for (std::size_t i = 0; i < ahead_m_.size(); ++i)
+        ahead_m_[i] += velocities_mps_[i] * (kSoftFriction * substep_s_);
+    for (std::size_t number = 0; number < cells_.size(); ++number) {
+        const Cell& cell = cells_[number];
+        const Strain strain = strain_of(number, ahead_m_);
+        Load load = elastic_load(cell, strain);
+        if (damping_s_ > 0) add_damping(cell, strain, strain_of(number, velocities_mps_), load);
+        const std::array<std::uint32_t, 8>& points = def_.grid.cells[number];
+        for (std::size_t i = 0; i < 8; ++i) {
+            Vec3d force = load.stress_Nm * cell.gradients_pm[i];
+            for (std::size_t mode = 0; mode < 4; ++mode)
+                force += load.pulls_N[mode] * cell.modes[mode][i];
+            impulses_Ns_[points[i]] -= force * h;
+        }
+    }
+}
+
+/// The first Piola-Kirchhoff stress, times the volume, and what the modes add.
+SoftBody::Load SoftBody::elastic_load(const Cell& cell, const Strain& strain) const {
+    const glm::dmat3& f = strain.gradient;
+    const glm::dmat3 by_volume = cofactors(f);
+    const double grown = glm::dot(f[0], by_volume[0]) - 1 - shear_Pa_ / volume_Pa_;
+    Load load{.stress_Nm = f * (shear_Pa_ * cell.volume_m3) +
+                           by_volume * (volume_Pa_ * grown * cell.volume_m3),
+              .pulls_N = {}};
+    Modes bent_m{};
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            bent_m[mode][axis] = glm::dot(f * cell.axes[axis], strain.modes_m[mode]);
+    }
+    add_modes(cell, strain, pulls_of(cell, bent_m), load);
+    return load;
+}
+
+/// As large as the elastic forces that the rates of strain and of bending would make in damping_s_.
+void SoftBody::add_damping(const Cell& cell,
+                           const Strain& strain,
+                           const Strain& rate,
+                           Load& load) const {
+    const glm::dmat3& f = strain.gradient;
+    const glm::dmat3 opening = glm::transpose(f) * rate.gradient;
+    const glm::dmat3 green_ps = (opening + glm::transpose(opening)) * 0.5;
+    const double trace_ps = green_ps[0][0] + green_ps[1][1] + green_ps[2][2];
+    const double lame_Pa = volume_Pa_ - shear_Pa_;
+    const double damped_s = damping_s_ / stiffness_share_;
+    load.stress_Nm += f * (green_ps * (2 * shear_Pa_) + glm::dmat3(lame_Pa * trace_ps)) *
+                      (damped_s * cell.volume_m3);
+    Modes bent_m{};
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            bent_m[mode][axis] =
+                damped_s * (glm::dot(f * cell.axes[axis], rate.modes_m[mode]) +
+                            glm::dot(rate.gradient * cell.axes[axis], strain.modes_m[mode]));
+    }
+    add_modes(cell, strain, pulls_of(cell, bent_m), load);
+}
+
+/// The modes turn with the cell's axes, which pulls at these, too.
+void SoftBody::add_modes(const Cell& cell, const Strain& strain, const Modes& pulls_N, Load& load) {
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            load.pulls_N[mode] += strain.gradient * cell.axes[axis] * pulls_N[mode][axis];
+            load.stress_Nm +=
+                glm::outerProduct(strain.modes_m[mode] * pulls_N[mode][axis], cell.axes[axis]);
+        }
+    }
+}
+
+double SoftBody::elastic_J() const {
+    const double rest = 1 + shear_Pa_ / volume_Pa_;
+    const double at_rest = volume_Pa_ / 2 * (1 - rest) * (1 - rest);
+    double sum = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const auto [f, modes_m] = strain_of(i, positions_m_);
+        const double volume = glm::determinant(f);
+        sum += cells_[i].volume_m3 * (shear_Pa_ / 2 * (square_sum(f) - 3) +
+                                      volume_Pa_ / 2 * (volume - rest) * (volume - rest) - at_rest);
+        Modes bent_m{};
+        for (std::size_t mode = 0; mode < 4; ++mode) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                bent_m[mode][axis] = glm::dot(f * cells_[i].axes[axis], modes_m[mode]);
+        }
+        const Modes pulls_N = pulls_of(cells_[i], bent_m);
+        for (std::size_t mode = 0; mode < 4; ++mode) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                sum += pulls_N[mode][axis] * bent_m[mode][axis] / 2;
+        }
+    }
+    return sum * stiffness_share_;
+}
+
+/// By the flux of x / 3 through its faces, bilinear patches: the mean of their two ways to be cut in two.
+double SoftBody::volume_of(const std::vector<Vec3d>& points_m) const {
+    double six = 0;
+    const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+        six += glm::dot(a, glm::cross(b, c)) / 2;
+    };
+    for (const SoftGrid::Face& face : def_.grid.faces) {
+        const Vec3d& a = points_m[face.points[0]];
+        const Vec3d& b = points_m[face.points[1]];
+        const Vec3d& c = points_m[face.points[2]];
+        const Vec3d& d = points_m[face.points[3]];
+        add(a, b, c);
+        add(a, c, d);
+        add(a, b, d);
+        add(b, c, d);
+    }
+    return six / 6;
+}
+
+std::vector<SurfacePlace> SoftBody::places(std::uint32_t along) const {
+    std::vector<SurfacePlace> places;
+    std::vector<bool> has(positions_m_.size(), false);
+    for (const SoftGrid::Face& face : def_.grid.faces) {
+        for (std::uint32_t row = 0; row <= along; ++row) {
+            for (std::uint32_t column = 0; column <= along; ++column) {
+                const double x = static_cast<double>(column) / along;
+                const double y = static_cast<double>(row) / along;
+                const SurfacePlace place{
+                    .points = face.points,
+                    .weights = {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y}};
+                const auto corner = std::ranges::find(place.weights, 1.0);
+                if (corner != place.weights.end()) {
+                    const auto number = static_cast<std::size_t>(corner - place.weights.begin());
+                    if (has[face.points[number]]) continue;
+                    has[face.points[number]] = true;
+                }
+                places.push_back(place);
+            }
+        }
+    }
+    return places;
+}
+
+}  // namespace plumbline::physics

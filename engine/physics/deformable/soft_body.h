@@ -1,0 +1,89 @@
+// A solid that deforms: hexahedral cells of a stable neo-Hookean material. docs/PHYSICS.md, "Soft bodies".
+//
+// Each cell has one deformation gradient (uniform strain, Flanagan and Belytschko 1981), so that neither bending nor volume locks; what
+// that leaves out, its bending and twisting, is as stiff as beam theory says. Energy: Smith, De Goes and Kim 2018, "Stable Neo-Hookean
+// Flesh Simulation"; a cell may be flat or inside out and comes back.
+#pragma once
+
+#include "engine/physics/deformable/point_body.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Points and cells at rest. A cell's points: number i lies at its high side along x, y, z for the bits 1, 2, 4 of i.
+struct SoftGrid {
+    std::vector<Vec3d> points_m;
+    std::vector<std::array<std::uint32_t, 8>> cells;
+    /// Outer faces, each counter-clockwise from outside.
+    struct Face {
+        std::array<std::uint32_t, 4> points{};
+        std::uint32_t side{0};  ///< faces of one side have smooth edges
+    };
+    std::vector<Face> faces;
+};
+
+struct SoftBodyDef {
+    SoftGrid grid{};
+    double density_kgpm3{1000};
+    double young_Pa{1e5};
+    double poisson{0.45};  ///< below 0.5
+    double damping_s{0};   ///< of the material
+};
+
+class SoftBody final : public PointBody {
+public:
+    explicit SoftBody(SoftBodyDef def);
+
+    const SoftGrid& grid() const { return def_.grid; }
+    std::uint32_t plan(double seconds, std::uint32_t most) override;
+    std::vector<SurfacePlace> places(std::uint32_t along) const override;
+    double longest_side_m() const override { return longest_side_m_; }
+    double volume_m3() const { return volume_of(positions_m_); }
+    double rest_volume_m3() const { return volume_of(def_.grid.points_m); }
+    double elastic_J() const override;
+
+private:
+    /// At rest; the first three of the modes that one gradient leaves out are products of two of its axes, the last of all three.
+    struct Cell {
+        std::array<Vec3d, 8> gradients_pm;  ///< of the points' shape functions, mean over the cell
+        std::array<std::array<double, 8>, 4> modes{};     ///< weights of the points
+        std::array<std::array<double, 3>, 4> mode_Npm{};  ///< stiffness, by mode and axis
+        std::array<double, 3> contraction_Npm{};  ///< of what bends along two axes across this one
+        std::array<Vec3d, 3> axes;                ///< unit
+        double volume_m3{0};
+    };
+    /// How a cell is deformed.
+    struct Strain {
+        glm::dmat3 gradient{1.0};
+        std::array<Vec3d, 4> modes_m;
+    };
+
+    using Modes = std::array<std::array<double, 3>, 4>;  ///< by mode and axis
+    struct Load {
+        glm::dmat3 stress_Nm{0.0};
+        std::array<Vec3d, 4> pulls_N{};
+    };
+    Load elastic_load(const Cell& cell, const Strain& strain) const;
+    void add_damping(const Cell& cell, const Strain& strain, const Strain& rate, Load& load) const;
+    static void add_modes(const Cell& cell, const Strain& strain, const Modes& pulls_N, Load& load);
+    Cell cell_of(std::size_t number) const;
+    /// By how far the modes are displaced along the axes.
+    Modes pulls_of(const Cell& cell, const Modes& bent_m) const;
+    Strain strain_of(std::size_t cell, const std::vector<Vec3d>& of) const;
+    double volume_of(const std::vector<Vec3d>& points_m) const;
+    void add_forces() override;
+
+    SoftBodyDef def_;
+    double shear_Pa_;      ///< Lame's mu
+    double volume_Pa_;     ///< lambda of the energy: Lame's + mu
+    double damping_s_{0};  ///< what the sub-step bears of it
+    double longest_side_m_{0};
+    double shortest_m2_{0};  ///< 1 / sum of 1 / side2, of the smallest cell
+    std::vector<Cell> cells_;
+    std::vector<Vec3d> ahead_m_;  ///< scratch
+};
+
+}  // namespace plumbline::physics
