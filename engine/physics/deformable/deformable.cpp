@@ -15,8 +15,8 @@ namespace plumbline::physics {
 namespace {
 
 /// A sheet none of whose points has moved farther for so long loses speed at a rate, and then sleeps.
-constexpr double kCalm_m = 2e-3;
-constexpr double kSettling_s = 0.5;
+constexpr double kCalm_m = 1e-3;
+constexpr double kSettling_s = 1;
 constexpr double kSettling_per_s = 2;
 constexpr double kCalm_s = 2;
 /// Slower air keeps no sheet awake.
@@ -74,19 +74,20 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     done_s_ = 0;
     substeps_ = 0;
     list_near(world);
-    bool disturbed = blowing_mps_ > kStill_mps && body_->feels_air();
+    bool disturbed = !movable_.empty() || (blowing_mps_ > kStill_mps && body_->feels_air());
     blowing_mps_ = 0;
     std::vector<BodyId> seen;
     for (const Near& near : near_) {
         seen.push_back(near.id);
-        disturbed = disturbed || squared(near.velocity_mps) + squared(near.spin_radps) > 0;
+        const bool is_led = squared(near.velocity_mps) + squared(near.spin_radps) > 0;
+        disturbed = disturbed || is_led;
     }
     disturbed = disturbed || seen != seen_;
     seen_ = std::move(seen);
     rest(step_s, disturbed);
 }
 
-void Deformable::list_near(PhysicsWorld& world) {
+void Deformable::list_near(const PhysicsWorld& world) {
     std::erase_if(holders_, [&](const Holder& holder) {
         const bool gone = holder.to && !world.contains(holder.to);
         if (gone) body_->unpin(holder.point);
@@ -98,7 +99,6 @@ void Deformable::list_near(PhysicsWorld& world) {
         if (!holder.to || std::ranges::find(near_, holder.to, &Near::id) != near_.end()) continue;
         add_near(world, holder.to);
         near_.back().touches = false;
-        if (near_.back().can_wake && calm_s_ < kCalm_s / 2) world.wake(holder.to);
     }
     Vec3d low = body_->positions_m()[0];
     Vec3d high = low;

@@ -114,7 +114,7 @@ private:
         void serialize(Archive& archive);
     };
 
-    void list_near(PhysicsWorld& world);
+    void list_near(const PhysicsWorld& world);
     void add_near(const PhysicsWorld& world, BodyId id);
     void wake_touched(PhysicsWorld& world);
     void rest(double step_s, bool disturbed);

@@ -259,11 +259,14 @@ void Sheet::add_drag() {
         const double twice_m2 = glm::length(across);
         if (!(twice_m2 > 0)) return;
         const Vec3d normal = across / twice_m2;
-        const Vec3d against = (velocities_mps_[a] - air_mps_[a] + velocities_mps_[b] - air_mps_[b] +
-                               velocities_mps_[c] - air_mps_[c]) /
-                              3.0;
+        const auto mean_of = [&](const auto& of) { return (of(a) + of(b) + of(c)) / 3.0; };
+        const Vec3d now =
+            mean_of([this](std::size_t i) { return velocities_mps_[i] - air_mps_[i]; });
+        // With all else that acts in the sub-step, so that what is steady is exact.
+        const Vec3d against =
+            now + mean_of([this](std::size_t i) { return impulses_Ns_[i] * inverse_masses_[i]; });
         // A third of it for each point, solved over the sub-step.
-        const double k_kgps = half_rho * twice_m2 / 6 * glm::length(against);
+        const double k_kgps = half_rho * twice_m2 / 6 * glm::length(now);
         const Vec3d push =
             normal * (glm::dot(against, normal) * k_kgps * h / (1 + k_kgps * h / third_kg));
         impulses_Ns_[a] -= push;

@@ -36,6 +36,8 @@ std::span<const FieldReference> magnet_references();
 std::span<const FieldReference> water_references();
 std::span<const FieldReference> blast_references();
 std::span<const FieldReference> rope_references();
+std::span<const FieldReference> cloth_references();
+std::span<const FieldReference> soft_references();
 
 /// All of them, in the order of the effects' names.
 std::vector<FieldReference> field_references();

@@ -17,10 +17,12 @@ constexpr std::array<std::string_view, 3> kFidelities{"draft", "balanced", "prec
 std::vector<FieldReference> field_references() {
     std::vector<FieldReference> all;
     for (const auto& family : {water_references(),
+                               cloth_references(),
                                belt_references(),
                                air_references(),
                                blast_references(),
                                rope_references(),
+                               soft_references(),
                                magnet_references()})
         all.insert(all.end(), family.begin(), family.end());
     return all;
