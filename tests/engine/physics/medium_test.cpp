@@ -57,5 +57,37 @@ TEST(Medium, TurnedMassFramesAreTurnedBack) {
     EXPECT_NEAR(std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}), 1, 1e-3);
 }
 
+// Parts of a body and triangles of a mesh, from outside and within.
+TEST(Medium, BallsFindTheNearestPlaceOfABody) {
+    TestWorld test;
+    const Quatd straight{1, 0, 0, 0};
+    const BodyId box = test.add(BoxShape{{2, 1, 2}}, {0, 5, 0}, {.kind = BodyKind::Static});
+    const auto above = ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 5.8, 0}, 0.1, 0.5);
+    ASSERT_TRUE(above);
+    EXPECT_NEAR(above->distance_m, 0.2, 1e-6);
+    EXPECT_NEAR(above->normal.y, 1, 1e-6);
+    EXPECT_NEAR(above->on_body_m.y, 5.5, 1e-6);
+    EXPECT_FALSE(ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 6.3, 0}, 0.1, 0.5));
+    const auto within = ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 5.4, 0}, 0.1, 0.5);
+    ASSERT_TRUE(within);
+    EXPECT_NEAR(within->distance_m, -0.2, 1e-5);
+    EXPECT_NEAR(within->normal.y, 1, 1e-6);
+    const BodyId mesh =
+        test.add(MeshShape{.vertices_m = {{-2, 0, -2}, {2, 0, -2}, {2, 0, 2}, {-2, 0, 2}},
+                           .triangles = {{0, 2, 1}, {0, 3, 2}}},
+                 {0, 1, 0},
+                 {.kind = BodyKind::Static});
+    const auto over = ball_contact(test.world, mesh, {0, 1, 0}, straight, {0.5, 1.3, 0}, 0.1, 0.5);
+    ASSERT_TRUE(over);
+    EXPECT_NEAR(over->distance_m, 0.2, 1e-6);
+    EXPECT_NEAR(over->normal.y, 1, 1e-6);
+    const auto under = ball_contact(test.world, mesh, {0, 1, 0}, straight, {0.5, 0.9, 0}, 0.1, 0.5);
+    ASSERT_TRUE(under);
+    EXPECT_NEAR(under->distance_m, -0.2, 1e-6);
+    EXPECT_NEAR(under->normal.y, 1, 1e-6);
+    EXPECT_NEAR(friction_of(test.world, box), 0.5, 1e-6);
+    EXPECT_NEAR(thinnest_half_m(test.world, box), 0.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::physics

@@ -32,7 +32,7 @@ std::vector<std::uint32_t> visited(const BoxTree& tree, const Bounds& bounds) {
     return found;
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
+bool boxes_meet(const Bounds& a, const Bounds& b) {
     return glm::all(glm::lessThanEqual(a.low, b.high)) &&
            glm::all(glm::lessThanEqual(b.low, a.high));
 }
@@ -48,7 +48,7 @@ TEST(BoxTree, FindsWhatOverlapsAndNoMore) {
         std::sort(found.begin(), found.end());
         std::vector<std::uint32_t> wanted;
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-            if (overlap(boxes[i], asked)) wanted.push_back(i);
+            if (boxes_meet(boxes[i], asked)) wanted.push_back(i);
         }
         EXPECT_EQ(found, wanted);
     }

@@ -1,0 +1,121 @@
+// Cloths and soft bodies: stand still while they are called off, sleep, are drawn, saved and loaded.
+#include "engine/core/io/archive.h"
+#include "engine/physics/deformable/sheet.h"
+#include "engine/scene/simulation/simulation_archive.h"
+#include "tests/engine/effects/physics/in_fields.h"
+
+namespace plumbline::effects {
+namespace {
+
+using scene::SceneDescription;
+
+SceneDescription curtain() {
+    SceneDescription scene = test::scene_of({test::ground(), kilogram("ball", {0, 3, 0.1_r})});
+    scene::ClothDescription cloth;
+    cloth.name = "curtain";
+    cloth.cells = {{8, 8}};
+    cloth.stretch_Npm = 200;
+    cloth.pose.position = {0, 2, 0};
+    cloth.pose.orientation = glm::angleAxis(0.6_r, Vec3{1, 0, 0});
+    cloth.pins = {{.along = {0, 0, 1, 0}, .to = {}}};
+    scene.forces.cloths = {cloth};
+    scene::SoftDescription soft;
+    soft.name = "jelly";
+    soft.size_m = {0.4, 0.4, 0.4};
+    soft.cell_m = 0.2;
+    soft.pose.position = {2, 0.5_r, 0};
+    scene.forces.softs = {soft};
+    return scene;
+}
+
+Vec3d low_end(const test::Running& run) {
+    return run.simulation->cloths().front().body->body().positions_m().back();
+}
+
+TEST(DeformableEffect, HangsStillWhileItIsCalledOff) {
+    test::Running run(curtain());
+    EffectRuntime effects(*run, {});
+    run.step(20, effects);
+    EXPECT_GT(line_of(effects, "cloth").calls, 20U);
+    EXPECT_GT(line_of(effects, "soft").calls, 20U);
+    run->switches.turn("cloth", false);
+    run.step(1, effects);
+    const Vec3d stopped = low_end(run);
+    run.step(30, effects);
+    EXPECT_EQ(low_end(run), stopped);
+    EXPECT_FALSE(line_of(effects, "cloth").exists);
+    run->switches.turn("cloth", true);
+    run.step(10, effects);
+    EXPECT_GT(glm::distance(low_end(run), stopped), 0.01);
+}
+
+TEST(DeformableEffect, GoesOnFromASavedStateToTheBit) {
+    test::Running first(curtain());
+    EffectRuntime first_effects(*first, {});
+    first.step(40, first_effects);
+    Archive out;
+    scene::serialize_state(*first, out);
+    const std::string bytes = out.take();
+    test::Running second(curtain());
+    EffectRuntime second_effects(*second, {});
+    second.step(3, second_effects);
+    Archive in(bytes);
+    scene::serialize_state(*second, in);
+    ASSERT_FALSE(in.failed()) << in.fault();
+    EXPECT_EQ(second->state_hash(), first->state_hash());
+    first.step(30, first_effects);
+    second.step(30, second_effects);
+    EXPECT_EQ(second->state_hash(), first->state_hash());
+}
+
+TEST(DeformableEffect, SleepsAndCostsNothingThen) {
+    SceneDescription scene = curtain();
+    scene.entities.pop_back();
+    scene.forces.cloths.front().damping_s = 0.05;
+    scene.forces.cloths.front().pose.orientation = {1, 0, 0, 0};
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(600, effects);
+    ASSERT_TRUE(run->cloths().front().body->is_asleep());
+    const std::uint64_t calls = line_of(effects, "cloth").calls;
+    run.step(10, effects);
+    EXPECT_EQ(line_of(effects, "cloth").calls, calls);
+}
+
+TEST(DeformableEffect, WindWakesIt) {
+    SceneDescription scene = curtain();
+    scene.entities.pop_back();
+    scene.forces.cloths.front().damping_s = 0.05;
+    scene.forces.cloths.front().pose.orientation = {1, 0, 0, 0};
+    scene.forces.wind_zones = {
+        {.min_m = {-9, -9, -9}, .max_m = {9, 9, 9}, .velocity_mps = {0, 0, 6}}};
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run->switches.turn("wind", false);
+    run.step(600, effects);
+    ASSERT_TRUE(run->cloths().front().body->is_asleep());
+    run->switches.turn("wind", true);
+    run.step(60, effects);
+    EXPECT_GT(low_end(run).z, 0.2);
+}
+
+TEST(DeformableEffect, IsDrawnBetweenSteps) {
+    test::Running run(curtain());
+    EffectRuntime effects(*run, kImage);
+    run.step(20, effects);
+    const auto& cloth = run->cloths().front();
+    const auto& visual = run->registry.get<scene::Visual>(cloth.entity);
+    const auto vertex = [&](Real blend) {
+        draw(run, effects, blend);
+        return Vec3d(run->library().mesh(visual.mesh).vertices[80].position_body);
+    };
+    const Vec3d before = vertex(0);
+    const Vec3d after = vertex(1);
+    const Vec3d between = vertex(0.5_r);
+    EXPECT_NEAR(glm::distance(before, cloth.before_m[80]), 0.002, 1e-3);
+    EXPECT_GT(glm::distance(before, after), 1e-4);
+    EXPECT_NEAR(glm::distance(between, (before + after) / 2.0), 0, 1e-3);
+}
+
+}  // namespace
+}  // namespace plumbline::effects

@@ -1,0 +1,155 @@
+// Deforming bodies among rigid ones: who holds, touches, carries and wakes whom.
+#include "engine/physics/deformable/deformable.h"
+
+#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/deformable/soft_grid.h"
+#include "tests/engine/physics/test_world.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace plumbline::physics {
+namespace {
+
+const Quatd kLevel = glm::angleAxis(1.5707963267948966, Vec3d{1, 0, 0});
+
+/// The body of a test as an effect would have it.
+struct Field final : ForceField {
+    Field(PhysicsWorld& in, std::unique_ptr<PointBody> body, const DeformableDef& def)
+        : world(in), deformable(in, std::move(body), def) {}
+
+    bool acts_on(BodyId body) const override {
+        return std::ranges::find(deformable.movable(), body) != deformable.movable().end();
+    }
+    void act(std::span<BodyInField* const> bodies, const FieldTime& time) override {
+        deformable.act(world, bodies, time.h_s);
+    }
+    int substeps() const override { return 4; }
+    bool carries() const override { return true; }
+
+    void run(double seconds) {
+        const double step_s = world.def().step_s;
+        for (int i = 0; i < static_cast<int>(seconds / step_s + 0.5); ++i) {
+            deformable.begin_step(world, step_s);
+            ForceField* const self = this;
+            world.step({&self, 1});
+            deformable.end_step(world);
+        }
+    }
+    Vec3d lowest_m() const {
+        Vec3d lowest = deformable.body().positions_m()[0];
+        for (const Vec3d& at : deformable.body().positions_m()) {
+            if (at.y < lowest.y) lowest = at;
+        }
+        return lowest;
+    }
+
+    PhysicsWorld& world;
+    Deformable deformable;
+};
+
+std::unique_ptr<PointBody> cloth_at(double height_m, double size_m, std::uint32_t cells) {
+    return std::make_unique<Sheet>(SheetDef{.size_m = {size_m, size_m},
+                                            .cells = {cells, cells},
+                                            .position_m = {0, height_m, 0},
+                                            .orientation = kLevel,
+                                            .stretch_Npm = 800,
+                                            .shear_Npm = 270,
+                                            .damping_s = 0.005,
+                                            .drag = 1.2});
+}
+
+DeformableDef held_all_round(std::uint32_t cells) {
+    DeformableDef def{.thickness_m = 0.01, .pins = {}};
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+        for (const std::uint32_t point :
+             {i, cells * (cells + 1) + i, i * (cells + 1), i * (cells + 1) + cells})
+            def.pins.push_back({.point = point, .to = {}});
+    }
+    return def;
+}
+
+TEST(Deformable, ClothDrapesOverWhatStands) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    test.add(SphereShape{0.3_r}, {0, 0.3_r, 0}, {.kind = BodyKind::Static});
+    Field cloth(test.world, cloth_at(0.8, 1, 12), {.thickness_m = 0.004, .pins = {}});
+    cloth.run(3);
+    for (const Vec3d& at : cloth.deformable.body().positions_m()) {
+        EXPECT_GT(at.y, 0.001);
+        EXPECT_GT(glm::distance(at, Vec3d{0, 0.3, 0}), 0.3);
+    }
+    EXPECT_LT(cloth.lowest_m().y, 0.25);
+}
+
+// A ball comes to rest in it, and sleeps; the sheet pulls it up by its weight.
+TEST(Deformable, ATrampolineCarriesABall) {
+    TestWorld test(in_small_steps());
+    const BodyId ball = test.add(SphereShape{0.15_r}, {0, 1.3_r, 0});
+    Field cloth(test.world, cloth_at(1, 1, 12), held_all_round(12));
+    cloth.run(8);
+    EXPECT_GT(test.at(ball).y, 0.7);
+    EXPECT_LT(test.at(ball).y, 1.15);
+    EXPECT_LT(glm::length(test.velocity(ball)), 0.02);
+    cloth.run(12);
+    EXPECT_FALSE(test.world.state(ball).awake);
+    EXPECT_TRUE(cloth.deformable.is_asleep());
+    cloth.run(1);
+    EXPECT_EQ(cloth.deformable.substeps(), 0U);
+    test.world.apply_impulse(ball, {0, 5, 0});
+    cloth.run(0.1);
+    EXPECT_FALSE(cloth.deformable.is_asleep());
+}
+
+TEST(Deformable, ASmallBallDoesNotFallBetweenPoints) {
+    TestWorld test(in_small_steps());
+    BodyDef light{.kind = BodyKind::Dynamic};
+    light.mass_kg = 0.02_r;
+    const BodyId ball = test.add(SphereShape{0.03_r}, {0.04_r, 1.2_r, 0.04_r}, light);
+    Field cloth(test.world, cloth_at(1, 1, 12), held_all_round(12));
+    cloth.run(2);
+    EXPECT_GT(test.at(ball).y, 0.9);
+}
+
+// Hung from a body, it goes with it and weighs it down.
+TEST(Deformable, PinsFollowAndLoadWhatTheyAreTiedTo) {
+    TestWorld test(in_small_steps());
+    const BodyId box = test.add(BoxShape{{1, 0.1_r, 0.1_r}}, {0, 5, 0});
+    auto sheet = std::make_unique<Sheet>(SheetDef{.position_m = {0, 4.5, 0}, .stretch_Npm = 500});
+    DeformableDef def{.pins = {}};
+    for (std::size_t i = 0; i <= 20; ++i) def.pins.push_back({.point = i, .to = box});
+    const double mass_kg = static_cast<double>(test.world.state(box).mass.mass_kg);
+    Field cloth(test.world, std::move(sheet), def);
+    test.world.set_velocity(box, {2, 0, 0}, {0, 0, 0});
+    cloth.run(1);
+    const double whole_kg = mass_kg + cloth.deformable.body().mass_kg();
+    const Vec3d momentum = test.velocity(box) * mass_kg + cloth.deformable.body().momentum_kgmps();
+    EXPECT_NEAR(momentum.x, 2 * mass_kg, 1e-3 * mass_kg);
+    EXPECT_NEAR(momentum.y, -9.81 * whole_kg, 2e-3 * 9.81 * whole_kg);
+    const Vec3d corner = cloth.deformable.body().positions_m()[10];
+    EXPECT_NEAR(glm::distance(corner, test.at(box)), 0, 0.01);
+    test.world.destroy_body(box);
+    cloth.run(0.5);
+    EXPECT_FALSE(cloth.deformable.body().is_pinned(10));
+}
+
+// A jelly of many times its mass on a box that stands on the ground neither sinks into it nor is thrown off.
+TEST(Deformable, AHeavyJellyRestsOnALightBox) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    BodyDef light{.kind = BodyKind::Dynamic};
+    light.mass_kg = 5;
+    const BodyId box = test.add(BoxShape{{0.5_r, 0.5_r, 0.5_r}}, {0, 0.25_r, 0}, light);
+    SoftGrid grid = box_grid({0.5, 0.3, 0.5}, {4, 3, 4});
+    for (Vec3d& point : grid.points_m) point.y += 0.75;
+    Field jelly(test.world,
+                std::make_unique<SoftBody>(SoftBodyDef{.grid = grid, .damping_s = 0.02}),
+                {.thickness_m = 0.001, .pins = {}});
+    jelly.run(4);
+    EXPECT_NEAR(jelly.lowest_m().y, 0.5, 0.04);
+    EXPECT_NEAR(test.at(box).y, 0.25, 0.01);
+}
+
+}  // namespace
+}  // namespace plumbline::physics

@@ -1,0 +1,116 @@
+// A soft body by itself: closed forms, what is kept, and that it comes back from flat and inside out.
+#include "engine/physics/deformable/soft_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr double kSoftStep_s = 1.0 / 60;
+
+void run_soft(SoftBody& soft, int steps, const Vec3d& gravity_mps2, double kept = 1) {
+    for (int i = 0; i < steps; ++i) {
+        const std::uint32_t count = soft.plan(kSoftStep_s, 500);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            soft.accelerate(gravity_mps2);
+            soft.move();
+        }
+        soft.slow_down(kept);
+    }
+}
+
+SoftBodyDef bar(std::uint32_t across, double poisson) {
+    return {.grid = box_grid({1, 0.1, 0.1}, {10 * across, across, across}),
+            .young_Pa = 1e6,
+            .poisson = poisson};
+}
+
+void hold_left(SoftBody& soft) {
+    for (std::size_t i = 0; i < soft.positions_m().size(); ++i) {
+        if (soft.grid().points_m[i].x < -0.49) soft.pin(i);
+    }
+}
+
+Vec3d right_m(const SoftBody& soft) {
+    Vec3d sum{0, 0, 0};
+    double count = 0;
+    for (std::size_t i = 0; i < soft.positions_m().size(); ++i) {
+        if (soft.grid().points_m[i].x < 0.49) continue;
+        sum += soft.positions_m()[i] - soft.grid().points_m[i];
+        ++count;
+    }
+    return sum / count;
+}
+
+TEST(SoftBody, ABarStretchesByItsWeight) {
+    SoftBody soft(bar(1, 0));
+    hold_left(soft);
+    run_soft(soft, 240, {9.81, 0, 0}, 0.8);
+    EXPECT_NEAR(right_m(soft).x / (1000 * 9.81 / (2 * 1e6)), 1, 1e-3);
+}
+
+// Also of one cell: rho A g L4 / (8 E I), and a little for shear.
+TEST(SoftBody, AClampedBarSagsAsABeam) {
+    for (const std::uint32_t across : {1U, 2U}) {
+        for (const double poisson : {0.0, 0.4}) {
+            SoftBody soft(bar(across, poisson));
+            hold_left(soft);
+            run_soft(soft, 500, {0, -0.1, 0}, 0.95);
+            const double exact_m = 1000 * 0.01 * 0.1 / (8 * 1e6 * 1e-4 / 12);
+            EXPECT_NEAR(-right_m(soft).y / exact_m, 1, poisson > 0 ? 0.05 : 0.02)
+                << across << ' ' << poisson;
+        }
+    }
+}
+
+TEST(SoftBody, FlyingItKeepsMomentum) {
+    SoftBody soft({.grid = box_grid({1, 0.6, 0.8}, {4, 3, 3})});
+    for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
+        soft.change_velocity(i, glm::cross(Vec3d{1, 4, 2}, soft.positions_m()[i]) + Vec3d{1, 0, 0});
+    const Vec3d momentum = soft.momentum_kgmps();
+    const Vec3d turning = soft.angular_momentum_kgm2ps();
+    const double start_J = soft.kinetic_J();
+    run_soft(soft, 120, {0, 0, 0});
+    EXPECT_NEAR(glm::distance(soft.momentum_kgmps(), momentum), 0, 1e-9 * glm::length(momentum));
+    EXPECT_NEAR(
+        glm::distance(soft.angular_momentum_kgm2ps(), turning), 0, 1e-9 * glm::length(turning));
+    EXPECT_NEAR((soft.kinetic_J() + soft.elastic_J()) / start_J, 1, 0.02);
+}
+
+// Points moved onto a plane, and through it, by a jump of their velocities for one sub-step.
+TEST(SoftBody, ComesBackFromFlatAndInsideOut) {
+    for (const double squeezed : {1.0, 2.0}) {
+        SoftBody soft({.grid = box_grid({1, 1, 1}, {3, 3, 3})});
+        soft.plan(1e-6, 1);
+        for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
+            soft.change_velocity(i, {0, -squeezed * soft.positions_m()[i].y / 1e-6, 0});
+        soft.move();
+        soft.slow_down(0);
+        EXPECT_NEAR(soft.volume_m3(), 1 - squeezed, 1e-9);
+        run_soft(soft, 300, {0, 0, 0}, 0.97);
+        EXPECT_NEAR(soft.volume_m3(), 1, 0.01) << squeezed;
+        EXPECT_LT(soft.elastic_J(), 10) << squeezed;
+    }
+}
+
+TEST(SoftBody, WhereSubStepsAreFewItIsSofter) {
+    SoftBodyDef def = bar(1, 0.3);
+    def.young_Pa = 1e11;
+    SoftBody soft(def);
+    EXPECT_EQ(soft.plan(kSoftStep_s, 5), 5U);
+    EXPECT_LT(soft.stiffness_share(), 1e-3);
+    hold_left(soft);
+    for (int i = 0; i < 60; ++i) {
+        const std::uint32_t count = soft.plan(kSoftStep_s, 5);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            soft.accelerate({0, -9.81, 0});
+            soft.move();
+        }
+    }
+    EXPECT_LT(glm::length(right_m(soft)), 1);
+}
+
+}  // namespace
+}  // namespace plumbline::physics
