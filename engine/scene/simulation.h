@@ -8,7 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"
-#include "engine/physics/deformable/deformable.h"
+#include "engine/physics/deformable.h"
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"

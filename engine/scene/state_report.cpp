@@ -1,8 +1,8 @@
 #include "engine/scene/state_report.h"
 
 #include "engine/core/hash.h"
-#include "engine/physics/deformable/sheet.h"
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/sheet.h"
+#include "engine/physics/soft_body.h"
 #include "engine/physics/totals.h"
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/simulation/entity_lookup.h"
@@ -29,13 +29,13 @@ void add_totals(JsonText& json, const Simulation& simulation) {
     Vec3d angular_momentum_kgm2ps = physics::angular_momentum_kgm2ps(simulation.physics);
     for (const auto& list : {simulation.cloths(), simulation.softs()}) {
         for (const SceneDeformable& each : list) {
-            const physics::PointBody& body = each.body->body();
-            energy.kinetic_J += body.kinetic_J();
-            energy.elastic_J += body.elastic_J();
+            const physics::PointTotals sum = each.body->body().totals();
+            energy.kinetic_J += sum.kinetic_J;
+            energy.elastic_J += sum.elastic_J;
             energy.potential_J -=
-                glm::dot(Vec3d(simulation.physics.def().gravity_mps2), body.moment_kgm());
-            momentum_kgmps += body.momentum_kgmps();
-            angular_momentum_kgm2ps += body.angular_momentum_kgm2ps();
+                glm::dot(Vec3d(simulation.physics.def().gravity_mps2), sum.moment_kgm);
+            momentum_kgmps += sum.momentum_kgmps;
+            angular_momentum_kgm2ps += sum.angular_momentum_kgm2ps;
         }
     }
     json.key("energy_J").begin_object();

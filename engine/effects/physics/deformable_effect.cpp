@@ -54,6 +54,12 @@ bool DeformableEffect::acts_on(BodyId body) const {
     return std::ranges::binary_search(pushed_, body);
 }
 
+double DeformableEffect::added_mass_kg(BodyId body) const {
+    double sum = 0;
+    for (const scene::SceneDeformable& each : all_) sum += each.body->pinned_kg(body);
+    return sum;
+}
+
 int DeformableEffect::substeps() const {
     return field_substeps(fidelity_);
 }

@@ -35,6 +35,7 @@ public:
              const physics::FieldTime& time) override;
     void list_pairs(std::vector<Pair>& pairs) const override;
     int substeps() const override;
+    double added_mass_kg(physics::BodyId body) const override;
     bool carries() const override { return true; }
 
 private:

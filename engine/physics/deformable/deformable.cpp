@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/deformable.h"
+#include "engine/physics/deformable.h"
 
 #include "engine/core/io/archive.h"
 #include "engine/core/io/pose_archive.h"
@@ -24,10 +24,6 @@ constexpr double kStill_mps = 0.05;
 /// Of its weight: what a sheet's push on a sleeping body must have changed by for it to wake.
 constexpr double kWakingShare = 0.05;
 constexpr double kStandardGravity_mps2 = 9.80665;
-/// What has sunk in comes out at this share a second, and no faster than so.
-constexpr double kOut_per_s = 20;
-constexpr double kOut_mps = 0.5;
-constexpr int kSweeps = 2;
 /// Places along a cell's side that may touch a small body.
 constexpr std::uint32_t kMostPlaces = 4;
 /// Of the speed that a push would give a free body: what one that is held gets at least.
@@ -77,7 +73,7 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     bool disturbed = !movable_.empty() || (blowing_mps_ > kStill_mps && body_->feels_air());
     blowing_mps_ = 0;
     std::vector<BodyId> seen;
-    for (const Near& near : near_) {
+    for (const NearBody& near : near_) {
         seen.push_back(near.id);
         const bool is_led = squared(near.velocity_mps) + squared(near.spin_radps) > 0;
         disturbed = disturbed || is_led;
@@ -96,7 +92,8 @@ void Deformable::list_near(const PhysicsWorld& world) {
     near_.clear();
     movable_.clear();
     for (const Holder& holder : holders_) {
-        if (!holder.to || std::ranges::find(near_, holder.to, &Near::id) != near_.end()) continue;
+        if (!holder.to || std::ranges::find(near_, holder.to, &NearBody::id) != near_.end())
+            continue;
         add_near(world, holder.to);
         near_.back().touches = false;
     }
@@ -110,17 +107,17 @@ void Deformable::list_near(const PhysicsWorld& world) {
     for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
     const double around_m = kMargin_m + thickness_m_ + std::sqrt(fastest2) * step_s_;
     for (const BodyId id : bodies_in_box(world, Vec3(low - around_m), Vec3(high + around_m))) {
-        if (std::ranges::find(near_, id, &Near::id) == near_.end()) add_near(world, id);
+        if (std::ranges::find(near_, id, &NearBody::id) == near_.end()) add_near(world, id);
     }
 }
 
 void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const BodyState state = world.state(id);
-    Near near{.id = id,
-              .center_m = Vec3d(state.center_of_mass_world()),
-              .world_from_mass = Quatd(state.world_from_body.orientation) *
-                                 glm::conjugate(mass_from_body(world, id)),
-              .spin_radps = Vec3d(state.angular_velocity_radps)};
+    NearBody near{.id = id,
+                  .center_m = Vec3d(state.center_of_mass_world()),
+                  .world_from_mass = Quatd(state.world_from_body.orientation) *
+                                     glm::conjugate(mass_from_body(world, id)),
+                  .spin_radps = Vec3d(state.angular_velocity_radps)};
     const Vec3d arm = near.center_m - Vec3d(state.world_from_body.position);
     if (state.kind != BodyKind::Static)
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
@@ -139,7 +136,7 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
 /// A body that fell asleep with the sheet on it wakes where what the sheet does to it changes.
 void Deformable::wake_touched(PhysicsWorld& world) {
     std::vector<Load> loads;
-    for (const Near& near : near_) {
+    for (const NearBody& near : near_) {
         if (!near.can_wake || !world.contains(near.id) || !(done_s_ > 0)) continue;
         const Load now{.body = near.id, .force_N = near.felt_Ns / done_s_};
         const auto before = std::ranges::find(loads_, near.id, &Load::body);
@@ -168,13 +165,20 @@ void Deformable::rest(double step_s, bool disturbed) {
     asleep_ = sleeps;
 }
 
+double Deformable::pinned_kg(BodyId body) const {
+    double sum = 0;
+    for (const Holder& holder : holders_)
+        sum += holder.to == body ? body_->mass_kg(holder.point) : 0;
+    return sum;
+}
+
 void Deformable::act(const PhysicsWorld& world,
                      std::span<BodyInField* const> bodies,
                      double seconds) {
     done_s_ += seconds;
     if (asleep_) return;
     place_near(bodies, seconds);
-    find_contacts(world, seconds);
+    contacts_.find(world, *body_, near_, thickness_m_, seconds);
     const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
     const std::uint32_t count = body_->plan(seconds, most);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -189,7 +193,7 @@ void Deformable::end_step(const PhysicsWorld& world) {
 
 /// From the middle of the sub-step back to its start.
 void Deformable::place_near(std::span<BodyInField* const> bodies, double seconds) {
-    for (Near& near : near_) {
+    for (NearBody& near : near_) {
         near.state = nullptr;
         near.inverse_mass = 0;
         near.inverse_inertia = {0, 0, 0};
@@ -224,7 +228,7 @@ double Deformable::yield_of(BodyId body, const Vec3d& start_mps) const {
 
 void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
     expected_.clear();
-    for (const Near& near : near_) {
+    for (const NearBody& near : near_) {
         if (near.state == nullptr) continue;
         const Vec3d pushed_mps = near.pushed_Ns / near.state->mass_kg;
         expected_.push_back({.body = near.id,
@@ -233,63 +237,17 @@ void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
     }
 }
 
-void Deformable::find_contacts(const PhysicsWorld& world, double seconds) {
-    contacts_.clear();
-    for (std::uint32_t i = 0; i < near_.size(); ++i) {
-        if (near_[i].touches && world.contains(near_[i].id)) add_contacts(world, i, seconds);
-    }
-}
-
-void Deformable::add_contacts(const PhysicsWorld& world, std::uint32_t number, double seconds) {
-    const Near& near = near_[number];
-    Vec3 low;
-    Vec3 high;
-    bounds(world, near.id, low, high);
-    const double moved_m = glm::length(near.velocity_mps) * seconds;
-    const double radius_m = thickness_m_ / 2;
-    for (const SurfacePlace& place : places(near.places)) {
-        const Vec3d at = mean_of(body_->positions_m(), place);
-        const Vec3d velocity = mean_of(body_->velocities_mps(), place);
-        const double reach_m =
-            thickness_m_ + moved_m + glm::length(velocity) * seconds + kMargin_m / 4;
-        if (glm::any(glm::lessThan(at, Vec3d(low) - reach_m)) ||
-            glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
-            continue;
-        const auto touch = ball_contact(
-            world, near.id, near.center_m, near.world_from_mass, at, radius_m, reach_m);
-        if (!touch) continue;
-        contacts_.push_back({.near = number,
-                             .place = place,
-                             .normal = touch->normal,
-                             .arm_m = touch->on_body_m - near.center_m,
-                             .gap_m = touch->distance_m});
-    }
-}
-
-const std::vector<SurfacePlace>& Deformable::places(std::uint32_t along) {
-    const auto [found, is_new] = places_.try_emplace(along);
-    if (is_new) found->second = body_->places(along);
-    return found->second;
-}
-
-Vec3d Deformable::mean_of(std::span<const Vec3d> values, const SurfacePlace& place) const {
-    Vec3d mean{0, 0, 0};
-    for (std::size_t i = 0; i < 4; ++i) mean += place.weights[i] * values[place.points[i]];
-    return mean;
-}
-
 void Deformable::substep(const Vec3d& gravity_mps2, double h) {
-    for (Near& near : near_) {
+    for (NearBody& near : near_) {
         if (near.falls) near.velocity_mps += gravity_mps2 * h;
     }
     lead_pins(h);
     body_->accelerate(gravity_mps2);
     load_holders();
-    solve_contacts(h);
+    contacts_.solve(*body_, near_, h);
     body_->move();
-    for (Contact& contact : contacts_)
-        contact.gap_m += glm::dot(contact.normal, velocity_of(contact)) * h;
-    move_near(h);
+    contacts_.follow(*body_, near_, h);
+    for (NearBody& near : near_) near.move(h);
 }
 
 /// Where what holds them will be at the end of the sub-step.
@@ -297,7 +255,7 @@ void Deformable::lead_pins(double h) {
     for (const Holder& holder : holders_) {
         Vec3d target = holder.in_mass_m;
         if (holder.to) {
-            const Near& near = *std::ranges::find(near_, holder.to, &Near::id);
+            const NearBody& near = *std::ranges::find(near_, holder.to, &NearBody::id);
             const Quatd then = turn_by(near.spin_radps, h) * near.world_from_mass;
             target = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
         }
@@ -308,84 +266,9 @@ void Deformable::lead_pins(double h) {
 void Deformable::load_holders() {
     for (const Holder& holder : holders_) {
         if (!holder.to) continue;
-        Near& near = *std::ranges::find(near_, holder.to, &Near::id);
-        push(near,
-             body_->support_Ns(holder.point),
-             body_->positions_m()[holder.point] - near.center_m);
-    }
-}
-
-void Deformable::solve_contacts(double h) {
-    for (Contact& contact : contacts_) {
-        contact.pressed_Ns = 0;
-        contact.rubbed_Ns = {0, 0, 0};
-    }
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        for (Contact& contact : contacts_) solve(contact, h);
-    }
-}
-
-/// Of the sheet against the body.
-Vec3d Deformable::velocity_of(const Contact& contact) const {
-    const Near& near = near_[contact.near];
-    return mean_of(body_->velocities_mps(), contact.place) - near.velocity_mps -
-           glm::cross(near.spin_radps, contact.arm_m);
-}
-
-void Deformable::solve(Contact& contact, double h) {
-    Near& near = near_[contact.near];
-    const Vec3d relative = velocity_of(contact);
-    const double opening = glm::dot(contact.normal, relative);
-    const double wanted =
-        contact.gap_m > 0 ? -contact.gap_m / h : std::min(-contact.gap_m * kOut_per_s, kOut_mps);
-    if (opening >= wanted && contact.pressed_Ns == 0) return;
-    double inverse_mass = near.inverse_mass;
-    for (std::size_t i = 0; i < 4; ++i)
-        inverse_mass += contact.place.weights[i] * contact.place.weights[i] *
-                        body_->inverse_mass(contact.place.points[i]);
-    const auto along = [&](const Vec3d& direction) {
-        const Vec3d turn =
-            glm::conjugate(near.world_from_mass) * glm::cross(contact.arm_m, direction);
-        return inverse_mass + glm::dot(turn, near.inverse_inertia * turn);
-    };
-    const double normal_weight = along(contact.normal);
-    if (!(normal_weight > 0)) return;
-    const double pressed = std::max(contact.pressed_Ns + (wanted - opening) / normal_weight, 0.0);
-    Vec3d impulse = contact.normal * (pressed - contact.pressed_Ns);
-    contact.pressed_Ns = pressed;
-    const Vec3d sliding = relative - contact.normal * opening;
-    const double speed = glm::length(sliding);
-    if (speed > 0) {
-        Vec3d rubbed = contact.rubbed_Ns - sliding / along(sliding / speed);
-        const double most = near.friction * pressed;
-        const double size = glm::length(rubbed);
-        if (size > most) rubbed *= most / size;
-        impulse += rubbed - contact.rubbed_Ns;
-        contact.rubbed_Ns = rubbed;
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-        body_->change_velocity(
-            contact.place.points[i],
-            impulse * (contact.place.weights[i] * body_->inverse_mass(contact.place.points[i])));
-    push(near, -impulse, contact.arm_m);
-}
-
-void Deformable::push(Near& near, const Vec3d& impulse_Ns, const Vec3d& arm_m) {
-    near.felt_Ns += impulse_Ns;
-    if (near.state == nullptr) return;
-    const Vec3d turn_Nms = glm::cross(arm_m, impulse_Ns);
-    near.velocity_mps += impulse_Ns * near.inverse_mass;
-    near.pushed_Ns += impulse_Ns;
-    near.spin_radps += near.world_from_mass *
-                       (near.inverse_inertia * (glm::conjugate(near.world_from_mass) * turn_Nms));
-    near.state->impulse_Ns += impulse_Ns;
-    near.state->angular_impulse_Nms += turn_Nms;
-}
-
-void Deformable::move_near(double h) {
-    for (Near& near : near_) {
-        near.center_m += near.velocity_mps * h;
-        near.world_from_mass = glm::normalize(turn_by(near.spin_radps, h) * near.world_from_mass);
+        NearBody& near = *std::ranges::find(near_, holder.to, &NearBody::id);
+        near.push(body_->support_Ns(holder.point),
+                  body_->positions_m()[holder.point] - near.center_m);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/point_body.h"
+#include "engine/physics/point_body.h"
 
 #include "engine/core/io/archive.h"
 #include "engine/core/io/pose_archive.h"
@@ -39,29 +39,15 @@ void PointBody::move() {
     after_move();
 }
 
-Vec3d PointBody::moment_kgm() const {
-    Vec3d sum{0, 0, 0};
-    for (std::size_t i = 0; i < masses_kg_.size(); ++i) sum += positions_m_[i] * masses_kg_[i];
-    return sum;
-}
-
-Vec3d PointBody::momentum_kgmps() const {
-    Vec3d sum{0, 0, 0};
-    for (std::size_t i = 0; i < masses_kg_.size(); ++i) sum += velocities_mps_[i] * masses_kg_[i];
-    return sum;
-}
-
-Vec3d PointBody::angular_momentum_kgm2ps() const {
-    Vec3d sum{0, 0, 0};
-    for (std::size_t i = 0; i < masses_kg_.size(); ++i)
-        sum += glm::cross(positions_m_[i], velocities_mps_[i] * masses_kg_[i]);
-    return sum;
-}
-
-double PointBody::kinetic_J() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < masses_kg_.size(); ++i)
-        sum += 0.5 * masses_kg_[i] * glm::dot(velocities_mps_[i], velocities_mps_[i]);
+PointTotals PointBody::totals() const {
+    PointTotals sum{.elastic_J = elastic_J()};
+    for (std::size_t i = 0; i < masses_kg_.size(); ++i) {
+        const Vec3d momentum_kgmps = velocities_mps_[i] * masses_kg_[i];
+        sum.moment_kgm += positions_m_[i] * masses_kg_[i];
+        sum.momentum_kgmps += momentum_kgmps;
+        sum.angular_momentum_kgm2ps += glm::cross(positions_m_[i], momentum_kgmps);
+        sum.kinetic_J += 0.5 * glm::dot(momentum_kgmps, velocities_mps_[i]);
+    }
     return sum;
 }
 

@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 
 #include "engine/core/io/archive.h"
 

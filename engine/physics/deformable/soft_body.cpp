@@ -1,4 +1,6 @@
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/soft_body.h"
+
+#include "engine/core/io/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +13,9 @@ namespace {
 constexpr double kMostSoft_rad2 = 2.4;
 /// Of that, what damping may take where not all of it can be had.
 constexpr double kMostDamping_rad2 = 0.6;
-/// Damping that lets what rings fall silent, in sub-steps.
+/// Damping that lets what rings fall silent, in sub-steps; counted every few of them.
 constexpr double kSoftFriction = 0.02;
+constexpr std::uint32_t kRubsEvery = 8;
 
 double sign_of(std::uint32_t point, std::size_t axis) {
     return (point >> axis & 1U) != 0 ? 1.0 : -1.0;
@@ -172,15 +175,15 @@ std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
 
 void SoftBody::add_forces() {
     const double h = substep_s_ * stiffness_share_;
-    // Where it is about to be: what rings loses a little in each sub-step.
-    ahead_m_ = positions_m_;
-    for (std::size_t i = 0; i < ahead_m_.size(); ++i)
-        ahead_m_[i] += velocities_mps_[i] * (kSoftFriction * substep_s_);
+    // What rings loses a little, now and then.
+    const bool rubs = ++substep_ % kRubsEvery == 0;
+    const double damped_s = def_.damping_s > 0 ? damping_s_ : 0;
+    const double lost_s = damped_s + (rubs ? kRubsEvery * kSoftFriction * substep_s_ : 0);
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const Cell& cell = cells_[number];
-        const Strain strain = strain_of(number, ahead_m_);
+        const Strain strain = strain_of(number, positions_m_);
         Load load = elastic_load(cell, strain);
-        if (damping_s_ > 0) add_damping(cell, strain, strain_of(number, velocities_mps_), load);
+        if (lost_s > 0) add_damping(cell, strain, strain_of(number, velocities_mps_), lost_s, load);
         const std::array<std::uint32_t, 8>& points = def_.grid.cells[number];
         for (std::size_t i = 0; i < 8; ++i) {
             Vec3d force = load.stress_Nm * cell.gradients_pm[i];
@@ -208,17 +211,15 @@ SoftBody::Load SoftBody::elastic_load(const Cell& cell, const Strain& strain) co
     return load;
 }
 
-/// As large as the elastic forces that the rates of strain and of bending would make in damping_s_.
-void SoftBody::add_damping(const Cell& cell,
-                           const Strain& strain,
-                           const Strain& rate,
-                           Load& load) const {
+/// As large as the elastic forces that the rates of strain and of bending would make in `lost_s`.
+void SoftBody::add_damping(
+    const Cell& cell, const Strain& strain, const Strain& rate, double lost_s, Load& load) const {
     const glm::dmat3& f = strain.gradient;
     const glm::dmat3 opening = glm::transpose(f) * rate.gradient;
     const glm::dmat3 green_ps = (opening + glm::transpose(opening)) * 0.5;
     const double trace_ps = green_ps[0][0] + green_ps[1][1] + green_ps[2][2];
     const double lame_Pa = volume_Pa_ - shear_Pa_;
-    const double damped_s = damping_s_ / stiffness_share_;
+    const double damped_s = lost_s / stiffness_share_;
     load.stress_Nm += f * (green_ps * (2 * shear_Pa_) + glm::dmat3(lame_Pa * trace_ps)) *
                       (damped_s * cell.volume_m3);
     Modes bent_m{};
@@ -240,6 +241,10 @@ void SoftBody::add_modes(const Cell& cell, const Strain& strain, const Modes& pu
                 glm::outerProduct(strain.modes_m[mode] * pulls_N[mode][axis], cell.axes[axis]);
         }
     }
+}
+
+void SoftBody::serialize_own(Archive& archive) {
+    archive(substep_);
 }
 
 double SoftBody::elastic_J() const {

@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/soft_grid.h"
+#include "engine/physics/soft_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,10 @@ SoftGrid ellipsoid_grid(const Vec3d& half_axes_m, const Counts& cells) {
     const SoftBody within({.grid = grid});
     const double whole_m3 =
         4.0 / 3 * 3.14159265358979323846 * half_axes_m.x * half_axes_m.y * half_axes_m.z;
-    const double scale = std::cbrt(whole_m3 / within.rest_volume_m3());
+    // Its cube root, by Newton's method.
+    double scale = 1;
+    for (int i = 0; i < 30; ++i)
+        scale -= (scale - whole_m3 / within.rest_volume_m3() / (scale * scale)) / 3;
     for (Vec3d& point : grid.points_m) point *= scale;
     return grid;
 }

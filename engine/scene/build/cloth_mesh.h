@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/assets/mesh_data.h"
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/assets/mesh_data.h"
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/soft_body.h"
 
 #include <cstdint>
 #include <span>

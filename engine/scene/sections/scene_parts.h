@@ -127,7 +127,7 @@ void read_body(TableReader& table,
                const VisualDescription& visual,
                EntityUse use);
 
-// --- scene_fields.cpp
+// --- fields/scene_fields.cpp
 void read_body_fields(TableReader& table, BodyDescription& body);
 void read_fields(TableReader& root, SceneDescription& scene);
 
@@ -147,13 +147,13 @@ std::optional<Quat> read_turn(TableReader& table);
 // --- scene_joints.cpp
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
 
-// --- scene_ropes.cpp
+// --- fields/scene_ropes.cpp
 void read_ropes(TableReader& root, SceneDescription& scene, LoadContext& context);
 
-// --- scene_cloths.cpp
+// --- fields/scene_cloths.cpp
 void read_cloths(TableReader& root, SceneDescription& scene, LoadContext& context);
 
-// --- scene_softs.cpp
+// --- fields/scene_softs.cpp
 void read_softs(TableReader& root, SceneDescription& scene, LoadContext& context);
 
 // --- scene_views.cpp

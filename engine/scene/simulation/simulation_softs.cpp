@@ -1,5 +1,5 @@
 // The soft bodies of a running scene.
-#include "engine/physics/deformable/soft_grid.h"
+#include "engine/physics/soft_grid.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/soft_mesh.h"
 #include "engine/scene/simulation.h"
@@ -57,6 +57,30 @@ physics::SoftGrid grid_of(const SoftDescription& soft,
     return grid;
 }
 
+/// What lies in its box.
+void add_soft_pins(const SoftPinDescription& pin,
+                   const physics::SoftGrid& grid,
+                   physics::BodyId to,
+                   std::vector<physics::DeformablePin>& pins) {
+    for (std::size_t i = 0; i < grid.points_m.size(); ++i) {
+        const Vec3d& at = grid.points_m[i];
+        const bool is_in = glm::all(glm::greaterThanEqual(at, Vec3d(pin.min_m))) &&
+                           glm::all(glm::lessThanEqual(at, Vec3d(pin.max_m)));
+        if (is_in) pins.push_back({.point = i, .to = to});
+    }
+}
+
+EntityDescription look_of(const SoftDescription& soft) {
+    EntityDescription seen;
+    seen.visual = physics::BoxShape{};
+    if (soft.form == SoftForm::Model)
+        seen.visual = ModelVisual{.file = soft.model, .root = soft.model_root};
+    seen.material = soft.material;
+    seen.label = "soft body";
+    seen.location = soft.location;
+    return seen;
+}
+
 }  // namespace
 
 Result<physics::BodyId> Simulation::holder_of(const std::string& name,
@@ -70,14 +94,7 @@ Result<physics::BodyId> Simulation::holder_of(const std::string& name,
 
 Result<Done> Simulation::add_soft(const SoftDescription& description) {
     const auto fidelity = static_cast<std::size_t>(description_.forces.fidelity.soft);
-    EntityDescription seen;
-    seen.visual = physics::BoxShape{};
-    if (description.form == SoftForm::Model)
-        seen.visual = ModelVisual{.file = description.model, .root = description.model_root};
-    seen.material = description.material;
-    seen.label = "soft body";
-    seen.location = description.location;
-    const Result<ecs::Entity> entity = builder_->build(seen, description.name);
+    const Result<ecs::Entity> entity = builder_->build(look_of(description), description.name);
     if (!entity) return entity.error();
     const assets::MeshData* model = description.form == SoftForm::Model
                                         ? &library_.mesh(registry.get<Visual>(*entity).mesh)
@@ -100,12 +117,7 @@ Result<Done> Simulation::add_soft(const SoftDescription& description) {
             if (!holder) return holder.error();
             to = *holder;
         }
-        for (std::size_t i = 0; i < grid.points_m.size(); ++i) {
-            const Vec3d& at = grid.points_m[i];
-            const bool is_in = glm::all(glm::greaterThanEqual(at, Vec3d(pin.min_m))) &&
-                               glm::all(glm::lessThanEqual(at, Vec3d(pin.max_m)));
-            if (is_in) def.pins.push_back({.point = i, .to = to});
-        }
+        add_soft_pins(pin, grid, to, def.pins);
     }
     auto owned = std::make_unique<physics::SoftBody>(
         physics::SoftBodyDef{.grid = std::move(grid),

@@ -1,5 +1,5 @@
 // Cloth.
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 #include "engine/study/fields/field_reference.h"
 #include "engine/study/fields/field_world.h"
 
@@ -130,7 +130,7 @@ FieldOutcome cloth_falls_level(scene::Fidelity fidelity) {
     const double rho = static_cast<double>(scene::ForceDescription{}.air_density_kgpm3);
     const double exact_mps = std::sqrt(2 * kSheet_kgpm2 * kFieldGravity_mps2 / (rho * cloth.drag));
     const physics::Sheet& sheet = sheet_of(world);
-    return {std::abs(-sheet.momentum_kgmps().y / sheet.mass_kg() / exact_mps - 1),
+    return {std::abs(-sheet.totals().momentum_kgmps.y / sheet.mass_kg() / exact_mps - 1),
             world.cpu_ms_per_s()};
 }
 

@@ -1,5 +1,5 @@
 // Soft bodies.
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/soft_body.h"
 #include "engine/study/fields/field_reference.h"
 #include "engine/study/fields/field_world.h"
 
@@ -96,7 +96,8 @@ FieldOutcome soft_swings(scene::Fidelity fidelity) {
     const double bend_Nm2 = soft.young_Pa * area_m2 * area_m2 / 12;
     const double exact_s =
         2 * kPi_rad / (1.8751 * 1.8751 * std::sqrt(bend_Nm2 / (kBar_kgpm3 * area_m2)));
-    const double swing_s = period_s(world, 30, [&] { return soft_of(world).momentum_kgmps().y; });
+    const double swing_s =
+        period_s(world, 30, [&] { return soft_of(world).totals().momentum_kgmps.y; });
     return {std::abs(swing_s / exact_s - 1), world.cpu_ms_per_s()};
 }
 

@@ -73,6 +73,10 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "magnets",
                                                  "conveyor",
                                                  "rope",
+                                                 "cloth",
+                                                 "soft",
+                                            "cloth",
+                                            "soft",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

@@ -1,6 +1,6 @@
 // Cloths and soft bodies: stand still while they are called off, sleep, are drawn, saved and loaded.
 #include "engine/core/io/archive.h"
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 #include "engine/scene/simulation/simulation_archive.h"
 #include "tests/engine/effects/physics/in_fields.h"
 

@@ -1,5 +1,5 @@
 // A sheet by itself: closed forms at any mesh, what is kept, and what it does where it is torn or too stiff.
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -73,16 +73,16 @@ TEST(Sheet, CrumpledItKeepsMomentumAndGainsNoEnergy) {
         }
         sheet.change_velocity(i, kick);
     }
-    const Vec3d momentum = sheet.momentum_kgmps();
-    const Vec3d turning = sheet.angular_momentum_kgm2ps();
-    const double start_J = sheet.kinetic_J();
+    const Vec3d momentum = sheet.totals().momentum_kgmps;
+    const Vec3d turning = sheet.totals().angular_momentum_kgm2ps;
+    const double start_J = sheet.totals().kinetic_J;
     for (int i = 0; i < 120; ++i) {
         run_sheet(sheet, 1, {0, 0, 0});
-        ASSERT_LT(sheet.kinetic_J() + sheet.elastic_J(), start_J * 1.001);
+        ASSERT_LT(sheet.totals().kinetic_J + sheet.totals().elastic_J, start_J * 1.001);
     }
-    EXPECT_NEAR(glm::distance(sheet.momentum_kgmps(), momentum), 0, 1e-9);
-    EXPECT_NEAR(glm::distance(sheet.angular_momentum_kgm2ps(), turning), 0, 1e-9);
-    EXPECT_LT(sheet.kinetic_J(), start_J / 2);
+    EXPECT_NEAR(glm::distance(sheet.totals().momentum_kgmps, momentum), 0, 1e-9);
+    EXPECT_NEAR(glm::distance(sheet.totals().angular_momentum_kgm2ps, turning), 0, 1e-9);
+    EXPECT_LT(sheet.totals().kinetic_J, start_J / 2);
 }
 
 // What the sub-steps do not resolve becomes softer: it says so, and stays stable.
@@ -103,10 +103,10 @@ TEST(Sheet, WhereSubStepsAreFewItIsSofter) {
 TEST(Sheet, AirSlowsItToItsTerminalSpeed) {
     Sheet sheet({.orientation = glm::angleAxis(1.5707963267948966, Vec3d{1, 0, 0}), .drag = 1.2});
     run_sheet(sheet, 180, kDown_mps2);
-    EXPECT_NEAR(
-        -sheet.momentum_kgmps().y / sheet.mass_kg() / std::sqrt(2 * 0.2 * 9.81 / (1.2 * 1.2)),
-        1,
-        0.01);
+    EXPECT_NEAR(-sheet.totals().momentum_kgmps.y / sheet.mass_kg() /
+                    std::sqrt(2 * 0.2 * 9.81 / (1.2 * 1.2)),
+                1,
+                0.01);
     EXPECT_TRUE(sheet.feels_air());
 }
 

@@ -1,5 +1,5 @@
 // Grids of cells: their sizes, volumes and outer faces.
-#include "engine/physics/deformable/soft_grid.h"
+#include "engine/physics/soft_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST(SoftGrid, ABoxHasItsSize) {
     const SoftBody soft({.grid = grid, .density_kgpm3 = 100});
     EXPECT_NEAR(soft.rest_volume_m3(), 1, 1e-12);
     EXPECT_NEAR(soft.mass_kg(), 100, 1e-9);
-    EXPECT_NEAR(soft.elastic_J(), 0, 1e-9);
+    EXPECT_NEAR(soft.totals().elastic_J, 0, 1e-9);
     EXPECT_NEAR(soft.longest_side_m(), 0.5, 1e-12);
 }
 

@@ -1,7 +1,7 @@
 // What is drawn of a soft body: its faces, or a model that its cells carry along.
 #include "engine/scene/build/soft_mesh.h"
 
-#include "engine/physics/deformable/soft_grid.h"
+#include "engine/physics/soft_grid.h"
 
 #include <gtest/gtest.h>
 

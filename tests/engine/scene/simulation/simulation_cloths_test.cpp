@@ -1,5 +1,5 @@
 // Cloths of a scene: cells and pins as the file says, told of in the state file.
-#include "engine/physics/deformable/sheet.h"
+#include "engine/physics/sheet.h"
 #include "engine/scene/state_report.h"
 #include "tests/support/scene_in_code.h"
 

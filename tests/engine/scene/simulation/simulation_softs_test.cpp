@@ -1,5 +1,5 @@
 // Soft bodies of a scene: cells and pins as the file says, told of in the state file.
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/soft_body.h"
 #include "engine/scene/state_report.h"
 #include "tests/support/scene_in_code.h"
 

@@ -1,7 +1,7 @@
 // Cells for soft bodies: of boxes, ellipsoids and closed meshes.
 #pragma once
 
-#include "engine/physics/deformable/soft_body.h"
+#include "engine/physics/soft_body.h"
 
 #include <array>
 #include <cstdint>

@@ -21,6 +21,15 @@ struct SurfacePlace {
     std::array<double, 4> weights{};
 };
 
+/// Sums over all points.
+struct PointTotals {
+    Vec3d moment_kgm{0, 0, 0};  ///< of mass times place
+    Vec3d momentum_kgmps{0, 0, 0};
+    Vec3d angular_momentum_kgm2ps{0, 0, 0};  ///< about the world's origin
+    double kinetic_J{0};
+    double elastic_J{0};
+};
+
 /// World axes. Forces are explicit (symplectic Euler), in sub-steps that resolve the waves in it: at rest they balance exactly,
 /// whatever the sub-steps, and momentum is kept. Where the sub-steps that are allowed do not resolve them, it is softer than it was
 /// asked to be.
@@ -68,12 +77,7 @@ public:
     /// Places that may touch others, `along` of them on the side of each cell, both corners counted as one.
     virtual std::vector<SurfacePlace> places(std::uint32_t along) const = 0;
     virtual double longest_side_m() const = 0;  ///< of a cell at rest
-
-    Vec3d moment_kgm() const;  ///< sum of mass times place
-    Vec3d momentum_kgmps() const;
-    Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
-    double kinetic_J() const;
-    virtual double elastic_J() const = 0;
+    PointTotals totals() const;
 
     void serialize(Archive& archive);
 
@@ -87,6 +91,7 @@ protected:
     virtual void damp() {}
     virtual void after_move() {}
     virtual void serialize_own(Archive&) {}
+    virtual double elastic_J() const = 0;
     /// Of the forces on a point.
     virtual double weight_of(std::size_t) const { return 1; }
 

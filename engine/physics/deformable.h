@@ -4,11 +4,11 @@
 // body gets in its sub-step is the sum. Points touch bodies; where a body is small against the cells, places between them do, too.
 #pragma once
 
-#include "engine/physics/deformable/point_body.h"
+#include "engine/physics/deformable/surface_contacts.h"
 #include "engine/physics/force_field.h"
+#include "engine/physics/point_body.h"
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -53,6 +53,8 @@ public:
     bool is_asleep() const { return asleep_; }
     /// The dynamic bodies that it pushes in this step; those that sleep do not move.
     std::span<const BodyId> movable() const { return movable_; }
+    /// Of the points that it has pinned to a body: they move along with it.
+    double pinned_kg(BodyId body) const;
     /// One sub-step of the bodies.
     void act(const PhysicsWorld& world, std::span<BodyInField* const> bodies, double seconds);
     /// What no sub-step of bodies has done of the step.
@@ -68,36 +70,6 @@ private:
         BodyId to{};
         Vec3d in_mass_m{0, 0, 0};  ///< in the mass frame of what holds it; world
     };
-    /// A body near it, as it moves through a sub-step.
-    struct Near {
-        BodyId id{};
-        BodyInField* state{nullptr};  ///< null: it does not feel the sheet
-        Vec3d center_m{0, 0, 0};
-        Quatd world_from_mass{1, 0, 0, 0};
-        Vec3d velocity_mps{0, 0, 0};  ///< of the centre of mass
-        Vec3d spin_radps{0, 0, 0};
-        bool falls{false};  ///< by gravity
-        double inverse_mass{0};
-        Vec3d inverse_inertia{0, 0, 0};  ///< principal
-        double friction{0};
-        std::uint32_t places{1};  ///< along a cell's side that may touch it
-        bool touches{true};       ///< else it only holds pins
-        bool can_wake{false};     ///< asleep, and dynamic
-        Vec3d start_mps{0, 0, 0};
-        Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
-        Vec3d felt_Ns{0, 0, 0};    ///< of the sheet, in this step
-    };
-    /// A place of it near a body.
-    struct Contact {
-        std::uint32_t near{0};
-        SurfacePlace place{};
-        Vec3d normal{0, 1, 0};  ///< out of the body
-        Vec3d arm_m{0, 0, 0};   ///< from the body's centre
-        double gap_m{0};
-        double pressed_Ns{0};  ///< in the sub-step at hand
-        Vec3d rubbed_Ns{0, 0, 0};
-    };
-
     /// What pushes made of a body in the sub-step before, if nothing else held it: what stands on something does not move so.
     struct Expected {
         BodyId body{};
@@ -121,32 +93,22 @@ private:
     void place_near(std::span<BodyInField* const> bodies, double seconds);
     double yield_of(BodyId body, const Vec3d& start_mps) const;
     void note_expected(const Vec3d& gravity_mps2, double seconds);
-    void find_contacts(const PhysicsWorld& world, double seconds);
-    void add_contacts(const PhysicsWorld& world, std::uint32_t near, double seconds);
-    const std::vector<SurfacePlace>& places(std::uint32_t along);
-    Vec3d mean_of(std::span<const Vec3d> values, const SurfacePlace& place) const;
     void substep(const Vec3d& gravity_mps2, double h);
     void lead_pins(double h);
     void load_holders();
-    void solve_contacts(double h);
-    void solve(Contact& contact, double h);
-    void push(Near& near, const Vec3d& impulse_Ns, const Vec3d& arm_m);
-    Vec3d velocity_of(const Contact& contact) const;
-    void move_near(double h);
 
     std::unique_ptr<PointBody> body_;
     double thickness_m_;
     double friction_;
     double substeps_per_s_;
     std::vector<Holder> holders_;
-    std::vector<Near> near_;
+    std::vector<NearBody> near_;
     std::vector<BodyId> movable_;
     std::vector<Expected> expected_;
     std::vector<Load> loads_;   ///< on those that sleep
     std::vector<BodyId> seen_;  ///< what was near in the step before
-    std::vector<Contact> contacts_;
-    std::map<std::uint32_t, std::vector<SurfacePlace>> places_;  ///< by how many along a side
-    double blowing_mps_{0};                                      ///< the fastest air
+    SurfaceContacts contacts_;
+    double blowing_mps_{0};  ///< the fastest air
     double step_s_{0};
     double done_s_{0};           ///< of the step
     std::vector<Vec3d> calm_m_;  ///< where its points were when it last had moved

@@ -1,8 +1,8 @@
 // A rectangular sheet of cloth: points on a grid, springs along the threads, shear of cells, bending. docs/PHYSICS.md, "Cloth".
 #pragma once
 
-#include "engine/physics/deformable/point_body.h"
 #include "engine/physics/deformable/sheet_lines.h"
+#include "engine/physics/point_body.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,6 @@ public:
     double longest_side_m() const override { return std::max(cell_m_[0], cell_m_[1]); }
 
     double area_m2() const;
-    double elastic_J() const override;
     std::size_t torn() const { return torn_; }  ///< threads between two points
     /// Whether a cell has all of its threads.
     bool is_whole(std::uint32_t column, std::uint32_t row) const;
@@ -58,6 +57,7 @@ private:
         return std::size_t{row} * columns_ + column;
     }
     void add_forces() override;
+    double elastic_J() const override;
     void damp() override;
     void after_move() override;
     void serialize_own(Archive& archive) override;

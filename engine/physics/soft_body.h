@@ -5,7 +5,7 @@
 // Flesh Simulation"; a cell may be flat or inside out and comes back.
 #pragma once
 
-#include "engine/physics/deformable/point_body.h"
+#include "engine/physics/point_body.h"
 
 #include <array>
 #include <cstdint>
@@ -43,7 +43,6 @@ public:
     double longest_side_m() const override { return longest_side_m_; }
     double volume_m3() const { return volume_of(positions_m_); }
     double rest_volume_m3() const { return volume_of(def_.grid.points_m); }
-    double elastic_J() const override;
 
 private:
     /// At rest; the first three of the modes that one gradient leaves out are products of two of its axes, the last of all three.
@@ -67,7 +66,11 @@ private:
         std::array<Vec3d, 4> pulls_N{};
     };
     Load elastic_load(const Cell& cell, const Strain& strain) const;
-    void add_damping(const Cell& cell, const Strain& strain, const Strain& rate, Load& load) const;
+    void add_damping(const Cell& cell,
+                     const Strain& strain,
+                     const Strain& rate,
+                     double lost_s,
+                     Load& load) const;
     static void add_modes(const Cell& cell, const Strain& strain, const Modes& pulls_N, Load& load);
     Cell cell_of(std::size_t number) const;
     /// By how far the modes are displaced along the axes.
@@ -75,6 +78,8 @@ private:
     Strain strain_of(std::size_t cell, const std::vector<Vec3d>& of) const;
     double volume_of(const std::vector<Vec3d>& points_m) const;
     void add_forces() override;
+    void serialize_own(Archive& archive) override;
+    double elastic_J() const override;
 
     SoftBodyDef def_;
     double shear_Pa_;      ///< Lame's mu
@@ -83,7 +88,7 @@ private:
     double longest_side_m_{0};
     double shortest_m2_{0};  ///< 1 / sum of 1 / side2, of the smallest cell
     std::vector<Cell> cells_;
-    std::vector<Vec3d> ahead_m_;  ///< scratch
+    std::uint32_t substep_{0};  ///< counts
 };
 
 }  // namespace plumbline::physics

@@ -36,9 +36,10 @@ void read_form(TableReader& table, SoftDescription& soft, const LoadContext& con
     }
     auto primitive = table.table("primitive");
     if (!primitive)
-        return table.error(
-            "primitive",
-            "expected {{ box = [x, y, z] }} or {{ ellipsoid = [x, y, z] }}, or a model");
+        return table.error("primitive",
+                           "expected {} or {}, or a model",
+                           "{ box = [x, y, z] }",
+                           "{ ellipsoid = [x, y, z] }");
     const std::string_view form = primitive->either("box", "ellipsoid");
     if (form.empty()) primitive->error("box", "expected box or ellipsoid, [x, y, z] in m");
     soft.form = form == "ellipsoid" ? SoftForm::Ellipsoid : SoftForm::Box;

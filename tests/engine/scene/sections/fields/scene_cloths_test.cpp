@@ -60,7 +60,7 @@ TEST_F(SceneFileTest, FaultsOfClothsAreNamed) {
     for (const char* part : {"size_m",
                              "1000000 in all; at most 40000",
                              "two whole numbers",
-                             "two shares from 0 to 1",
+                             "shares from 0 to 1",
                              "middle",
                              "pole",
                              "or an edge",

@@ -1,0 +1,152 @@
+#include "engine/physics/deformable/surface_contacts.h"
+
+#include "engine/physics/dynamics/rotation.h"
+#include "engine/physics/medium.h"
+#include "engine/physics/physics_world.h"
+#include "engine/physics/query.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+/// What has sunk in comes out at this share a second, and no faster than so.
+constexpr double kOut_per_s = 20;
+constexpr double kOut_mps = 0.5;
+constexpr int kContactSweeps = 2;
+/// Looked for beyond what moves there within the sub-step.
+constexpr double kReach_m = 0.005;
+
+Vec3d mean_of(std::span<const Vec3d> values, const SurfacePlace& place) {
+    Vec3d mean{0, 0, 0};
+    for (std::size_t i = 0; i < 4; ++i) mean += place.weights[i] * values[place.points[i]];
+    return mean;
+}
+
+/// Of the place against the body.
+Vec3d velocity_of(const PointBody& body,
+                  const NearBody& near,
+                  const SurfacePlace& place,
+                  const Vec3d& arm_m) {
+    return mean_of(body.velocities_mps(), place) - near.velocity_mps -
+           glm::cross(near.spin_radps, arm_m);
+}
+
+}  // namespace
+
+void NearBody::push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
+    felt_Ns += impulse_Ns;
+    if (state == nullptr) return;
+    const Vec3d turn_Nms = glm::cross(arm_m, impulse_Ns);
+    velocity_mps += impulse_Ns * inverse_mass;
+    pushed_Ns += impulse_Ns;
+    spin_radps +=
+        world_from_mass * (inverse_inertia * (glm::conjugate(world_from_mass) * turn_Nms));
+    state->impulse_Ns += impulse_Ns;
+    state->angular_impulse_Nms += turn_Nms;
+}
+
+void NearBody::move(double h) {
+    center_m += velocity_mps * h;
+    world_from_mass = glm::normalize(turn_by(spin_radps, h) * world_from_mass);
+}
+
+void SurfaceContacts::find(const PhysicsWorld& world,
+                           const PointBody& body,
+                           std::span<const NearBody> near,
+                           double thickness_m,
+                           double seconds) {
+    contacts_.clear();
+    for (std::uint32_t i = 0; i < near.size(); ++i) {
+        if (near[i].touches && world.contains(near[i].id))
+            add(world, body, near, i, thickness_m, seconds);
+    }
+}
+
+void SurfaceContacts::add(const PhysicsWorld& world,
+                          const PointBody& body,
+                          std::span<const NearBody> all,
+                          std::uint32_t number,
+                          double thickness_m,
+                          double seconds) {
+    const NearBody& near = all[number];
+    Vec3 low;
+    Vec3 high;
+    bounds(world, near.id, low, high);
+    const double moved_m = glm::length(near.velocity_mps) * seconds;
+    const double radius_m = thickness_m / 2;
+    const auto [found, is_new] = places_.try_emplace(near.places);
+    if (is_new) found->second = body.places(near.places);
+    for (const SurfacePlace& place : found->second) {
+        const Vec3d at = mean_of(body.positions_m(), place);
+        const Vec3d velocity = mean_of(body.velocities_mps(), place);
+        const double reach_m = thickness_m + moved_m + glm::length(velocity) * seconds + kReach_m;
+        if (glm::any(glm::lessThan(at, Vec3d(low) - reach_m)) ||
+            glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
+            continue;
+        const auto touch = ball_contact(
+            world, near.id, near.center_m, near.world_from_mass, at, radius_m, reach_m);
+        if (!touch) continue;
+        contacts_.push_back({.near = number,
+                             .place = place,
+                             .normal = touch->normal,
+                             .arm_m = touch->on_body_m - near.center_m,
+                             .gap_m = touch->distance_m});
+    }
+}
+
+void SurfaceContacts::solve(PointBody& body, std::span<NearBody> near, double h) {
+    for (Contact& contact : contacts_) {
+        contact.pressed_Ns = 0;
+        contact.rubbed_Ns = {0, 0, 0};
+    }
+    for (int sweep = 0; sweep < kContactSweeps; ++sweep) {
+        for (Contact& contact : contacts_) solve_one(contact, body, near[contact.near], h);
+    }
+}
+
+void SurfaceContacts::follow(const PointBody& body, std::span<const NearBody> near, double h) {
+    for (Contact& contact : contacts_)
+        contact.gap_m +=
+            h * glm::dot(contact.normal,
+                         velocity_of(body, near[contact.near], contact.place, contact.arm_m));
+}
+
+void SurfaceContacts::solve_one(Contact& contact, PointBody& body, NearBody& near, double h) {
+    const Vec3d relative = velocity_of(body, near, contact.place, contact.arm_m);
+    const double opening = glm::dot(contact.normal, relative);
+    const double wanted =
+        contact.gap_m > 0 ? -contact.gap_m / h : std::min(-contact.gap_m * kOut_per_s, kOut_mps);
+    if (opening >= wanted && contact.pressed_Ns == 0) return;
+    double inverse_mass = near.inverse_mass;
+    for (std::size_t i = 0; i < 4; ++i)
+        inverse_mass += contact.place.weights[i] * contact.place.weights[i] *
+                        body.inverse_mass(contact.place.points[i]);
+    const auto along = [&](const Vec3d& direction) {
+        const Vec3d turn =
+            glm::conjugate(near.world_from_mass) * glm::cross(contact.arm_m, direction);
+        return inverse_mass + glm::dot(turn, near.inverse_inertia * turn);
+    };
+    const double normal_weight = along(contact.normal);
+    if (!(normal_weight > 0)) return;
+    const double pressed = std::max(contact.pressed_Ns + (wanted - opening) / normal_weight, 0.0);
+    Vec3d impulse = contact.normal * (pressed - contact.pressed_Ns);
+    contact.pressed_Ns = pressed;
+    const Vec3d sliding = relative - contact.normal * opening;
+    const double speed = glm::length(sliding);
+    if (speed > 0) {
+        Vec3d rubbed = contact.rubbed_Ns - sliding / along(sliding / speed);
+        const double most = near.friction * pressed;
+        const double size = glm::length(rubbed);
+        if (size > most) rubbed *= most / size;
+        impulse += rubbed - contact.rubbed_Ns;
+        contact.rubbed_Ns = rubbed;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        body.change_velocity(
+            contact.place.points[i],
+            impulse * (contact.place.weights[i] * body.inverse_mass(contact.place.points[i])));
+    near.push(-impulse, contact.arm_m);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,76 @@
+// Places of a deforming body's surface that touch rigid bodies.
+#pragma once
+
+#include "engine/physics/force_field.h"
+#include "engine/physics/point_body.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+class PhysicsWorld;
+
+/// A rigid body near a deforming one, as it moves through a sub-step.
+struct NearBody {
+    BodyId id{};
+    BodyInField* state{nullptr};  ///< null: it does not feel what touches it
+    Vec3d center_m{0, 0, 0};
+    Quatd world_from_mass{1, 0, 0, 0};
+    Vec3d velocity_mps{0, 0, 0};  ///< of the centre of mass
+    Vec3d spin_radps{0, 0, 0};
+    bool falls{false};  ///< by gravity
+    double inverse_mass{0};
+    Vec3d inverse_inertia{0, 0, 0};  ///< principal
+    double friction{0};
+    std::uint32_t places{1};  ///< along a cell's side that may touch it
+    bool touches{true};       ///< else it only holds pins
+    bool can_wake{false};     ///< asleep, and dynamic
+    Vec3d start_mps{0, 0, 0};
+    Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
+    Vec3d felt_Ns{0, 0, 0};    ///< in the step
+
+    /// `arm_m`: from its centre of mass.
+    void push(const Vec3d& impulse_Ns, const Vec3d& arm_m);
+    void move(double h);
+};
+
+class SurfaceContacts {
+public:
+    /// Forgets what there was and looks for what may touch within `seconds`, as bodies are at their start.
+    void find(const PhysicsWorld& world,
+              const PointBody& body,
+              std::span<const NearBody> near,
+              double thickness_m,
+              double seconds);
+    /// Changes velocities so that nothing goes deeper within `h`, with friction; the same points and bodies as found.
+    void solve(PointBody& body, std::span<NearBody> near, double h);
+    /// After points and bodies have moved for `h`.
+    void follow(const PointBody& body, std::span<const NearBody> near, double h);
+
+private:
+    struct Contact {
+        std::uint32_t near{0};
+        SurfacePlace place{};
+        Vec3d normal{0, 1, 0};  ///< out of the body
+        Vec3d arm_m{0, 0, 0};   ///< from the body's centre
+        double gap_m{0};
+        double pressed_Ns{0};  ///< in the sub-step at hand
+        Vec3d rubbed_Ns{0, 0, 0};
+    };
+
+    void add(const PhysicsWorld& world,
+             const PointBody& body,
+             std::span<const NearBody> near,
+             std::uint32_t number,
+             double thickness_m,
+             double seconds);
+    static void solve_one(Contact& contact, PointBody& body, NearBody& near, double h);
+
+    std::vector<Contact> contacts_;
+    std::map<std::uint32_t, std::vector<SurfacePlace>> places_;  ///< by how many along a side
+};
+
+}  // namespace plumbline::physics
