@@ -4,9 +4,9 @@
 // body gets in its sub-step is the sum. Points touch bodies; where a body is small against the cells, places between them do, too.
 #pragma once
 
-#include "engine/physics/deformable/surface_contacts.h"
 #include "engine/physics/force_field.h"
 #include "engine/physics/point_body.h"
+#include "engine/physics/surface_contacts.h"
 
 #include <cstdint>
 #include <memory>

@@ -87,7 +87,7 @@ protected:
 
     /// Adds to impulses_Ns_ what acts in the sub-step.
     virtual void add_forces() = 0;
-    /// After velocities have changed.
+    /// Before forces act: what they do comes whole to what touches the body.
     virtual void damp() {}
     virtual void after_move() {}
     virtual void serialize_own(Archive&) {}

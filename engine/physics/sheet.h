@@ -1,8 +1,8 @@
 // A rectangular sheet of cloth: points on a grid, springs along the threads, shear of cells, bending. docs/PHYSICS.md, "Cloth".
 #pragma once
 
-#include "engine/physics/deformable/sheet_lines.h"
 #include "engine/physics/point_body.h"
+#include "engine/physics/sheet_lines.h"
 
 #include <algorithm>
 #include <array>

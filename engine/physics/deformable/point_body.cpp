@@ -23,10 +23,10 @@ double PointBody::mass_kg() const {
 void PointBody::accelerate(const Vec3d& gravity_mps2) {
     for (std::size_t i = 0; i < masses_kg_.size(); ++i)
         impulses_Ns_[i] = gravity_mps2 * (masses_kg_[i] * substep_s_);
+    damp();
     add_forces();
     for (std::size_t i = 0; i < masses_kg_.size(); ++i)
         velocities_mps_[i] += impulses_Ns_[i] * (inverse_masses_[i] * weight_of(i));
-    damp();
 }
 
 void PointBody::slow_down(double share) {

@@ -10,6 +10,8 @@ namespace {
 
 /// Symplectic Euler is stable while the square of what a sub-step turns the fastest mode by is below 4.
 constexpr double kMost_rad2 = 2.8;
+/// Where damping leaves nothing of a mode's speed, below 2.
+constexpr double kMostDamped_rad2 = 1.8;
 /// Of it, what bending and tension across the threads have where not all of it can be had.
 constexpr double kMostBending_rad2 = 0.8;
 constexpr double kMostAcross_rad2 = 0.5;
@@ -89,8 +91,9 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double bending = 16 * def_.bend_Nm * (x2 + y2) * (x2 + y2) / rho;
     std::vector<double> across = across_radps2();
     const double tension = *std::ranges::max_element(across);
+    const double most_rad2 = def_.damping_s > 0 ? kMostDamped_rad2 : kMost_rad2;
     const double wanted =
-        std::ceil(seconds * std::sqrt((stretching + bending + tension) / kMost_rad2));
+        std::ceil(seconds * std::sqrt((stretching + bending + tension) / most_rad2));
     const auto count = static_cast<std::uint32_t>(
         std::clamp(wanted, 1.0, static_cast<double>(std::max(most, 1U))));
     substep_s_ = seconds / count;
@@ -100,7 +103,7 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double h2 = substep_s_ * substep_s_;
     bend_share_ = std::min(1.0, kMostBending_rad2 / std::max(bending * h2, 1e-12));
     const double left_rad2 =
-        kMost_rad2 - bend_share_ * bending * h2 - std::min(tension * h2, kMostAcross_rad2);
+        most_rad2 - bend_share_ * bending * h2 - std::min(tension * h2, kMostAcross_rad2);
     stiffness_share_ = std::min(1.0, left_rad2 / std::max(stretching * h2, 1e-12));
     if (tension * h2 <= kMostAcross_rad2) return count;
     for (double& weight : across)

@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/sheet_lines.h"
+#include "engine/physics/sheet_lines.h"
 
 namespace plumbline::physics {
 namespace {

@@ -10,12 +10,12 @@ namespace plumbline::physics {
 namespace {
 
 /// Of stiffness: the square of what a sub-step turns the fastest mode by; symplectic Euler bears 4 with twice the damping's share.
-constexpr double kMostSoft_rad2 = 2.4;
+constexpr double kMostSoft_rad2 = 2;
 /// Of that, what damping may take where not all of it can be had.
 constexpr double kMostDamping_rad2 = 0.6;
 /// Damping that lets what rings fall silent, in sub-steps; counted every few of them.
 constexpr double kSoftFriction = 0.02;
-constexpr std::uint32_t kRubsEvery = 8;
+constexpr std::uint32_t kRubsEvery = 4;
 
 double sign_of(std::uint32_t point, std::size_t axis) {
     return (point >> axis & 1U) != 0 ? 1.0 : -1.0;
@@ -178,7 +178,7 @@ void SoftBody::add_forces() {
     // What rings loses a little, now and then.
     const bool rubs = ++substep_ % kRubsEvery == 0;
     const double damped_s = def_.damping_s > 0 ? damping_s_ : 0;
-    const double lost_s = damped_s + (rubs ? kRubsEvery * kSoftFriction * substep_s_ : 0);
+    const double lost_s = damped_s + (rubs ? kRubsEvery * kSoftFriction * h : 0);
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const Cell& cell = cells_[number];
         const Strain strain = strain_of(number, positions_m_);

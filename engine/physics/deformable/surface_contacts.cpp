@@ -1,4 +1,4 @@
-#include "engine/physics/deformable/surface_contacts.h"
+#include "engine/physics/surface_contacts.h"
 
 #include "engine/physics/dynamics/rotation.h"
 #include "engine/physics/medium.h"

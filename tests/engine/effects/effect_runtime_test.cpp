@@ -75,8 +75,6 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "rope",
                                                  "cloth",
                                                  "soft",
-                                            "cloth",
-                                            "soft",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

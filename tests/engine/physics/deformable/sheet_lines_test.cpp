@@ -1,5 +1,5 @@
 // Lines of threads and of bending: momentum is kept, and what they take from motion is what a solution of the whole line says.
-#include "engine/physics/deformable/sheet_lines.h"
+#include "engine/physics/sheet_lines.h"
 
 #include <gtest/gtest.h>
 
