@@ -41,10 +41,6 @@ double reach_m(const ConvexShape& shape) {
     return 0;
 }
 
-void keep_nearer(std::optional<BallContact>& nearest, const BallContact& other) {
-    if (!nearest || other.distance_m < nearest->distance_m) nearest = other;
-}
-
 /// The triangle that is nearest decides; where the ball's centre is behind its front, by how much.
 std::optional<BallContact> near_mesh(
     const MeshGeometry& mesh, const Transform& at, const Vec3d& ball, double radius, double reach) {
@@ -69,6 +65,34 @@ std::optional<BallContact> near_mesh(
     return nearest;
 }
 
+/// `local`: the ball's centre in the mass frame; `body`: where that is, seen from the ball's centre.
+std::optional<BallContact> near_parts(const BodyGeometry& geometry,
+                                      const Transform& body,
+                                      const Vec3d& local,
+                                      double radius_m,
+                                      double reach_m) {
+    const ConvexShape ball{.kind = ConvexShape::Kind::Sphere,
+                           .radius_m = static_cast<Real>(radius_m)};
+    const double far_m = radius_m + reach_m;
+    std::optional<BallContact> nearest;
+    for (const GeometryPart& part : geometry.parts) {
+        if (glm::any(glm::lessThan(local, part.bounds.low - far_m)) ||
+            glm::any(glm::greaterThan(local, part.bounds.high + far_m)))
+            continue;
+        const Transform at = body * part.mass_from_part;
+        const ConvexContact contact =
+            collide({ball, Transform{}}, {part.shape, at}, static_cast<Real>(reach_m));
+        for (const ConvexPoint& point : contact.points()) {
+            const auto distance_m = static_cast<double>(point.distance_m);
+            if (nearest && nearest->distance_m <= distance_m) continue;
+            nearest = BallContact{.normal = Vec3d(point.normal),
+                                  .on_body_m = Vec3d(point.on_b),
+                                  .distance_m = distance_m};
+        }
+    }
+    return nearest;
+}
+
 }  // namespace
 
 std::optional<BallContact> ball_contact(const PhysicsWorld& world,
@@ -79,30 +103,18 @@ std::optional<BallContact> ball_contact(const PhysicsWorld& world,
                                         double radius_m,
                                         double reach_m) {
     const BodyGeometry& geometry = *internals(world).body(id).traits.geometry;
-    const Transform world_from_body{.rotation = Mat3(glm::mat3_cast(world_from_mass)),
-                                    .position_m = Vec3(center_m)};
-    if (geometry.mesh) return near_mesh(*geometry.mesh, world_from_body, ball_m, radius_m, reach_m);
-    const ConvexShape ball{.kind = ConvexShape::Kind::Sphere,
-                           .radius_m = static_cast<Real>(radius_m)};
-    const Vec3d local = glm::conjugate(world_from_mass) * (ball_m - center_m);
-    const double far_m = radius_m + reach_m;
+    const Mat3 rotation(glm::mat3_cast(world_from_mass));
+    if (geometry.mesh)
+        return near_mesh(*geometry.mesh,
+                         {.rotation = rotation, .position_m = Vec3(center_m)},
+                         ball_m,
+                         radius_m,
+                         reach_m);
     // Near the origin, where single precision has its digits.
-    const Transform body{.rotation = world_from_body.rotation,
-                         .position_m = Vec3(center_m - ball_m)};
-    std::optional<BallContact> nearest;
-    for (const GeometryPart& part : geometry.parts) {
-        if (glm::any(glm::lessThan(local, part.bounds.low - far_m)) ||
-            glm::any(glm::greaterThan(local, part.bounds.high + far_m)))
-            continue;
-        const Transform at = body * part.mass_from_part;
-        const ConvexContact contact =
-            collide({ball, Transform{}}, {part.shape, at}, static_cast<Real>(reach_m));
-        for (const ConvexPoint& point : contact.points())
-            keep_nearer(nearest,
-                        {.normal = Vec3d(point.normal),
-                         .on_body_m = Vec3d(point.on_b) + ball_m,
-                         .distance_m = static_cast<double>(point.distance_m)});
-    }
+    const Transform body{.rotation = rotation, .position_m = Vec3(center_m - ball_m)};
+    const Vec3d local = glm::conjugate(world_from_mass) * (ball_m - center_m);
+    std::optional<BallContact> nearest = near_parts(geometry, body, local, radius_m, reach_m);
+    if (nearest) nearest->on_body_m += ball_m;
     return nearest;
 }
 

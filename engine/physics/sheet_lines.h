@@ -33,6 +33,11 @@ public:
                std::span<Vec3d> held_Ns);
 
 private:
+    void find_pulls(std::span<const Thread> line,
+                    double scale_s2,
+                    std::span<const double> inverse_masses,
+                    std::span<const Vec3d> velocities_mps);
+
     std::vector<double> upper_;  // scratch, by thread of a line
     std::vector<double> pulls_Ns_;
 };

@@ -86,7 +86,7 @@ private:
     double volume_Pa_;     ///< lambda of the energy: Lame's + mu
     double damping_s_{0};  ///< what the sub-step bears of it
     double longest_side_m_{0};
-    double shortest_m2_{0};  ///< 1 / sum of 1 / side2, of the smallest cell
+    double shortest_m2_{1e30};  ///< 1 / sum of 1 / side2, of the smallest cell
     std::vector<Cell> cells_;
     std::uint32_t substep_{0};  ///< counts
 };

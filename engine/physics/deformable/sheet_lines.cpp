@@ -14,45 +14,51 @@ void ThreadFamily::relax(double scale_s2,
                          std::span<Vec3d> held_Ns) {
     std::size_t first = 0;
     for (const std::uint32_t end : line_ends) {
-        const std::size_t count = end - first;
-        upper_.resize(count);
-        pulls_Ns_.resize(count);
-        double lower = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Thread& thread = threads[first + i];
-            const double w_a = inverse_masses[thread.a];
-            const double w_b = inverse_masses[thread.b];
-            double diagonal = 1;
-            double opening = 0;
-            double next = 0;
-            if (thread.stiffness_Npm > 0 && w_a + w_b > 0) {
-                diagonal = 1 / (thread.stiffness_Npm * scale_s2) + w_a + w_b;
-                opening =
-                    glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
-                if (i > 0) {
-                    diagonal -= lower * upper_[i - 1];
-                    opening -= lower * pulls_Ns_[i - 1];
-                }
-                if (i + 1 < count && threads[first + i + 1].stiffness_Npm > 0)
-                    next = -w_b * glm::dot(thread.direction, threads[first + i + 1].direction);
-            }
-            upper_[i] = next / diagonal;
-            pulls_Ns_[i] = opening / diagonal;
-            lower = next;
-        }
-        for (std::size_t i = count; i-- > 0;) {
-            if (i + 1 < count) pulls_Ns_[i] -= upper_[i] * pulls_Ns_[i + 1];
-            const Thread& thread = threads[first + i];
-            const Vec3d pull = thread.direction * pulls_Ns_[i];
-            const double w_a = inverse_masses[thread.a];
-            const double w_b = inverse_masses[thread.b];
-            velocities_mps[thread.a] += pull * w_a;
-            velocities_mps[thread.b] -= pull * w_b;
-            if (!(w_a > 0)) held_Ns[thread.a] += pull;
-            if (!(w_b > 0)) held_Ns[thread.b] -= pull;
+        const std::span<const Thread> line{threads.data() + first, end - first};
+        find_pulls(line, scale_s2, inverse_masses, velocities_mps);
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const Vec3d pull = line[i].direction * pulls_Ns_[i];
+            const double w_a = inverse_masses[line[i].a];
+            const double w_b = inverse_masses[line[i].b];
+            velocities_mps[line[i].a] += pull * w_a;
+            velocities_mps[line[i].b] -= pull * w_b;
+            if (!(w_a > 0)) held_Ns[line[i].a] += pull;
+            if (!(w_b > 0)) held_Ns[line[i].b] -= pull;
         }
         first = end;
     }
+}
+
+/// Thomas's algorithm.
+void ThreadFamily::find_pulls(std::span<const Thread> line,
+                              double scale_s2,
+                              std::span<const double> inverse_masses,
+                              std::span<const Vec3d> velocities_mps) {
+    upper_.assign(line.size(), 0);
+    pulls_Ns_.assign(line.size(), 0);
+    double lower = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const Thread& thread = line[i];
+        const double w_b = inverse_masses[thread.b];
+        const double weight = inverse_masses[thread.a] + w_b;
+        if (!(thread.stiffness_Npm > 0 && weight > 0)) {
+            lower = 0;
+            continue;
+        }
+        double diagonal = 1 / (thread.stiffness_Npm * scale_s2) + weight;
+        double opening =
+            glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
+        if (i > 0) {
+            diagonal -= lower * upper_[i - 1];
+            opening -= lower * pulls_Ns_[i - 1];
+        }
+        const bool goes_on = i + 1 < line.size() && line[i + 1].stiffness_Npm > 0;
+        const double next = goes_on ? -w_b * glm::dot(thread.direction, line[i + 1].direction) : 0;
+        upper_[i] = next / diagonal;
+        pulls_Ns_[i] = opening / diagonal;
+        lower = next;
+    }
+    for (std::size_t i = line.size(); i-- > 1;) pulls_Ns_[i - 1] -= upper_[i - 1] * pulls_Ns_[i];
 }
 
 void StripFamily::relax(double scale_s2,

@@ -38,7 +38,6 @@ SoftBody::SoftBody(SoftBodyDef def)
       volume_Pa_(def_.young_Pa * def_.poisson / ((1 + def_.poisson) * (1 - 2 * def_.poisson)) +
                  shear_Pa_) {
     std::vector<double> masses_kg(def_.grid.points_m.size(), 0.0);
-    shortest_m2_ = 1e30;
     for (std::size_t i = 0; i < def_.grid.cells.size(); ++i) {
         cells_.push_back(cell_of(i));
         for (const std::uint32_t point : def_.grid.cells[i])
@@ -293,21 +292,18 @@ std::vector<SurfacePlace> SoftBody::places(std::uint32_t along) const {
     std::vector<SurfacePlace> places;
     std::vector<bool> has(positions_m_.size(), false);
     for (const SoftGrid::Face& face : def_.grid.faces) {
-        for (std::uint32_t row = 0; row <= along; ++row) {
-            for (std::uint32_t column = 0; column <= along; ++column) {
-                const double x = static_cast<double>(column) / along;
-                const double y = static_cast<double>(row) / along;
-                const SurfacePlace place{
-                    .points = face.points,
-                    .weights = {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y}};
-                const auto corner = std::ranges::find(place.weights, 1.0);
-                if (corner != place.weights.end()) {
-                    const auto number = static_cast<std::size_t>(corner - place.weights.begin());
-                    if (has[face.points[number]]) continue;
-                    has[face.points[number]] = true;
-                }
-                places.push_back(place);
-            }
+        for (const std::uint32_t point : face.points) {
+            if (!has[point])
+                places.push_back({.points = {point, point, point, point}, .weights = {1, 0, 0, 0}});
+            has[point] = true;
+        }
+        for (std::uint32_t i = 0; i < (along + 1) * (along + 1); ++i) {
+            const double x = static_cast<double>(i % (along + 1)) / along;
+            const double y = static_cast<double>(i / (along + 1)) / along;
+            const bool is_corner = (x == 0 || x == 1) && (y == 0 || y == 1);
+            if (is_corner) continue;
+            places.push_back({.points = face.points,
+                              .weights = {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y}});
         }
     }
     return places;

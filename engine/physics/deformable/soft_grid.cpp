@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -13,38 +14,56 @@ using Counts = std::array<std::uint32_t, 3>;
 constexpr std::array<std::array<std::uint32_t, 4>, 6> kFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
+/// Builds a grid cell by cell.
+class GridMaker {
+public:
+    explicit GridMaker(const std::function<Vec3d(const Counts&)>& place) : place_(place) {}
+
+    void add(const Counts& at) {
+        std::array<std::uint32_t, 8>& cell = grid_.cells.emplace_back();
+        for (std::uint32_t i = 0; i < 8; ++i)
+            cell[i] = point({at[0] + (i & 1U), at[1] + (i >> 1U & 1U), at[2] + (i >> 2U)});
+        for (std::uint32_t side = 0; side < 6; ++side) {
+            SoftGrid::Face face{.points = {}, .side = side};
+            for (std::size_t i = 0; i < 4; ++i) face.points[i] = cell[kFaces[side][i]];
+            std::array<std::uint32_t, 4> key = face.points;
+            std::ranges::sort(key);
+            // A face that two cells share is not an outer one.
+            if (open_.erase(key) == 0) open_.emplace(key, face);
+        }
+    }
+    SoftGrid finish() {
+        for (const auto& [key, face] : open_) grid_.faces.push_back(face);
+        return std::move(grid_);
+    }
+
+private:
+    std::uint32_t point(const Counts& at) {
+        const auto [found, is_new] =
+            numbers_.try_emplace(at, static_cast<std::uint32_t>(grid_.points_m.size()));
+        if (is_new) grid_.points_m.push_back(place_(at));
+        return found->second;
+    }
+
+    const std::function<Vec3d(const Counts&)>& place_;
+    SoftGrid grid_;
+    std::map<Counts, std::uint32_t> numbers_;
+    std::map<std::array<std::uint32_t, 4>, SoftGrid::Face> open_;  // by sorted points
+};
+
 /// Cells of a grid that are wanted, and the points that they need, in the order of the grid.
 SoftGrid grid_of(const Counts& counts,
                  const std::function<bool(const Counts&)>& is_wanted,
                  const std::function<Vec3d(const Counts&)>& place) {
-    SoftGrid grid;
-    std::map<Counts, std::uint32_t> numbers;
-    std::map<std::array<std::uint32_t, 4>, SoftGrid::Face> open;  // by sorted points
+    GridMaker maker(place);
     for (std::uint32_t z = 0; z < counts[2]; ++z) {
         for (std::uint32_t y = 0; y < counts[1]; ++y) {
             for (std::uint32_t x = 0; x < counts[0]; ++x) {
-                if (!is_wanted({x, y, z})) continue;
-                std::array<std::uint32_t, 8>& cell = grid.cells.emplace_back();
-                for (std::uint32_t i = 0; i < 8; ++i) {
-                    const Counts at{x + (i & 1U), y + (i >> 1U & 1U), z + (i >> 2U)};
-                    const auto [found, is_new] =
-                        numbers.try_emplace(at, static_cast<std::uint32_t>(grid.points_m.size()));
-                    if (is_new) grid.points_m.push_back(place(at));
-                    cell[i] = found->second;
-                }
-                for (std::uint32_t side = 0; side < 6; ++side) {
-                    SoftGrid::Face face{.points = {}, .side = side};
-                    for (std::size_t i = 0; i < 4; ++i) face.points[i] = cell[kFaces[side][i]];
-                    std::array<std::uint32_t, 4> key = face.points;
-                    std::ranges::sort(key);
-                    // A face that two cells share is not an outer one.
-                    if (open.erase(key) == 0) open.emplace(key, face);
-                }
+                if (is_wanted({x, y, z})) maker.add({x, y, z});
             }
         }
     }
-    for (const auto& [key, face] : open) grid.faces.push_back(face);
-    return grid;
+    return maker.finish();
 }
 
 constexpr auto kAll = [](const Counts&) { return true; };
