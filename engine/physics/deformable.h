@@ -93,8 +93,8 @@ private:
     void place_near(std::span<BodyInField* const> bodies, double seconds);
     double yield_of(BodyId body, const Vec3d& start_mps) const;
     void note_expected(const Vec3d& gravity_mps2, double seconds);
-    void substep(const Vec3d& gravity_mps2, double h);
-    void lead_pins(double h);
+    void substep(const Vec3d& gravity_mps2, double h, double left_s);
+    void lead_pins(double h, double left_s);
     void load_holders();
 
     std::unique_ptr<PointBody> body_;
@@ -111,6 +111,7 @@ private:
     double blowing_mps_{0};  ///< the fastest air
     double step_s_{0};
     double done_s_{0};           ///< of the step
+    std::vector<Vec3d> kept_m_;  ///< its points at the start of the sub-step
     std::vector<Vec3d> calm_m_;  ///< where its points were when it last had moved
     double calm_s_{0};           ///< since then
     bool asleep_{false};

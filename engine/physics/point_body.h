@@ -70,6 +70,10 @@ public:
     void slow_down(double share);
     /// Moves points along their velocities.
     void move();
+    /// Whether all numbers are finite and no point is faster than rigid bodies may be.
+    bool is_sound() const;
+    /// To places where it was, at rest.
+    void put_back(std::span<const Vec3d> positions_m);
 
     /// Air at a point, for what feels it.
     virtual bool feels_air() const { return false; }

@@ -25,6 +25,7 @@ struct NearBody {
     double inverse_mass{0};
     Vec3d inverse_inertia{0, 0, 0};  ///< principal
     double friction{0};
+    double radius_m{0};       ///< of one that moves
     std::uint32_t places{1};  ///< along a cell's side that may touch it
     bool touches{true};       ///< else it only holds pins
     bool can_wake{false};     ///< asleep, and dynamic

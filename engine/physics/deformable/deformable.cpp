@@ -29,11 +29,28 @@ constexpr std::uint32_t kMostPlaces = 4;
 /// Of the speed that a push would give a free body: what one that is held gets at least.
 constexpr double kLeastYield = 1e-3;
 constexpr double kPushed_mps = 1e-4;
+/// Sub-steps between two plans, and of the time what is none.
+constexpr std::uint32_t kPlanned = 8;
+constexpr double kNoTime = 1e-9;
 /// How far bodies are looked for beyond what they and the sheet move in a step.
 constexpr double kMargin_m = 0.02;
 
+/// Bodies are looked for so far off: at 60 Hz those up to 180 m/s.
+constexpr double kAhead_m = 3;
+
 double squared(const Vec3d& v) {
     return glm::dot(v, v);
+}
+
+/// Whether its motion may bring a body's box to the other one within the time.
+bool may_reach(
+    const PhysicsWorld& world, BodyId id, const Vec3d& low, const Vec3d& high, double seconds) {
+    Vec3 own_low;
+    Vec3 own_high;
+    bounds(world, id, own_low, own_high);
+    const double moved_m = static_cast<double>(glm::length(world.state(id).velocity_mps)) * seconds;
+    return glm::all(glm::lessThanEqual(Vec3d(own_low) - moved_m, high)) &&
+           glm::all(glm::greaterThanEqual(Vec3d(own_high) + moved_m, low));
 }
 
 }  // namespace
@@ -106,8 +123,12 @@ void Deformable::list_near(const PhysicsWorld& world) {
     }
     for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
     const double around_m = kMargin_m + thickness_m_ + std::sqrt(fastest2) * step_s_;
-    for (const BodyId id : bodies_in_box(world, Vec3(low - around_m), Vec3(high + around_m))) {
-        if (std::ranges::find(near_, id, &NearBody::id) == near_.end()) add_near(world, id);
+    low -= around_m;
+    high += around_m;
+    for (const BodyId id : bodies_in_box(world, Vec3(low - kAhead_m), Vec3(high + kAhead_m))) {
+        if (std::ranges::find(near_, id, &NearBody::id) == near_.end() &&
+            may_reach(world, id, low, high, step_s_))
+            add_near(world, id);
     }
 }
 
@@ -121,6 +142,7 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const Vec3d arm = near.center_m - Vec3d(state.world_from_body.position);
     if (state.kind != BodyKind::Static)
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
+    if (state.kind != BodyKind::Static) near.radius_m = radius_m(world, id);
     near.friction = std::sqrt(friction_ * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);
@@ -179,12 +201,22 @@ void Deformable::act(const PhysicsWorld& world,
     if (asleep_) return;
     place_near(bodies, seconds);
     contacts_.find(world, *body_, near_, thickness_m_, seconds);
+    const Vec3d gravity_mps2(world.def().gravity_mps2);
+    kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
     const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
-    const std::uint32_t count = body_->plan(seconds, most);
-    for (std::uint32_t i = 0; i < count; ++i)
-        substep(Vec3d(world.def().gravity_mps2), body_->substep_s());
-    substeps_ += count;
-    note_expected(Vec3d(world.def().gravity_mps2), seconds);
+    std::uint32_t taken = 0;
+    for (double left_s = seconds; left_s > kNoTime * seconds;) {
+        // Tension grows as it is drawn: planned anew every few sub-steps.
+        const std::uint32_t count = body_->plan(left_s, most > taken ? most - taken : 1);
+        for (std::uint32_t i = 0; i < std::min(count, kPlanned); ++i) {
+            substep(gravity_mps2, body_->substep_s(), left_s);
+            left_s -= body_->substep_s();
+            ++taken;
+        }
+    }
+    substeps_ += taken;
+    if (!body_->is_sound()) body_->put_back(kept_m_);
+    note_expected(gravity_mps2, seconds);
 }
 
 void Deformable::end_step(const PhysicsWorld& world) {
@@ -237,11 +269,11 @@ void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
     }
 }
 
-void Deformable::substep(const Vec3d& gravity_mps2, double h) {
+void Deformable::substep(const Vec3d& gravity_mps2, double h, double left_s) {
     for (NearBody& near : near_) {
         if (near.falls) near.velocity_mps += gravity_mps2 * h;
     }
-    lead_pins(h);
+    lead_pins(h, left_s);
     body_->accelerate(gravity_mps2);
     load_holders();
     contacts_.solve(*body_, near_, h);
@@ -250,16 +282,19 @@ void Deformable::substep(const Vec3d& gravity_mps2, double h) {
     for (NearBody& near : near_) near.move(h);
 }
 
-/// Where what holds them will be at the end of the sub-step.
-void Deformable::lead_pins(double h) {
+/// As what holds them moves; what they have fallen behind, as it may jump, they make up for in the rest of the bodies' sub-step.
+void Deformable::lead_pins(double h, double left_s) {
     for (const Holder& holder : holders_) {
-        Vec3d target = holder.in_mass_m;
+        Vec3d start = holder.in_mass_m;
+        Vec3d end = start;
         if (holder.to) {
             const NearBody& near = *std::ranges::find(near_, holder.to, &NearBody::id);
             const Quatd then = turn_by(near.spin_radps, h) * near.world_from_mass;
-            target = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
+            start = near.center_m + near.world_from_mass * holder.in_mass_m;
+            end = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
         }
-        body_->lead(holder.point, (target - body_->positions_m()[holder.point]) / h);
+        const Vec3d behind = start - body_->positions_m()[holder.point];
+        body_->lead(holder.point, (end - start) / h + behind / std::max(left_s, h));
     }
 }
 

@@ -7,6 +7,12 @@
 #include <numeric>
 
 namespace plumbline::physics {
+namespace {
+
+constexpr double kMostSpeed_mps = 1e4;
+constexpr double kMostPlace_m = 1e6;
+
+}  // namespace
 
 void PointBody::add_point(const Vec3d& position_m, double mass_kg) {
     positions_m_.push_back(position_m);
@@ -37,6 +43,20 @@ void PointBody::move() {
     for (std::size_t i = 0; i < positions_m_.size(); ++i)
         positions_m_[i] += velocities_mps_[i] * substep_s_;
     after_move();
+}
+
+bool PointBody::is_sound() const {
+    // Also false where a number is none.
+    const auto is_good = [](const Vec3d& v, double most) { return glm::dot(v, v) < most * most; };
+    return std::ranges::all_of(positions_m_,
+                               [&](const Vec3d& at) { return is_good(at, kMostPlace_m); }) &&
+           std::ranges::all_of(velocities_mps_,
+                               [&](const Vec3d& v) { return is_good(v, kMostSpeed_mps); });
+}
+
+void PointBody::put_back(std::span<const Vec3d> positions_m) {
+    std::ranges::copy(positions_m, positions_m_.begin());
+    std::ranges::fill(velocities_mps_, Vec3d{0, 0, 0});
 }
 
 PointTotals PointBody::totals() const {

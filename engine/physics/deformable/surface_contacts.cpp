@@ -70,9 +70,9 @@ void SurfaceContacts::add(const PhysicsWorld& world,
                           double thickness_m,
                           double seconds) {
     const NearBody& near = all[number];
-    Vec3 low;
-    Vec3 high;
-    bounds(world, near.id, low, high);
+    Vec3 low(near.center_m - near.radius_m);
+    Vec3 high(near.center_m + near.radius_m);
+    if (near.radius_m == 0) bounds(world, near.id, low, high);
     const double moved_m = glm::length(near.velocity_mps) * seconds;
     const double radius_m = thickness_m / 2;
     const auto [found, is_new] = places_.try_emplace(near.places);

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <vector>
+
 namespace plumbline::physics {
 namespace {
 
@@ -60,6 +63,20 @@ TEST(PointBody, PinnedPointsGoWhereTheyAreLed) {
     EXPECT_EQ(dust.support_Ns(1), (Vec3d{3, -10, 0}));
     dust.unpin(1);
     EXPECT_EQ(dust.inverse_mass(1), 0.5);
+}
+
+TEST(PointBody, KnowsWhatIsNotSound) {
+    Dust dust;
+    EXPECT_TRUE(dust.is_sound());
+    dust.change_velocity(0, {0, 2e4, 0});
+    EXPECT_FALSE(dust.is_sound());
+    const std::vector<Vec3d> places{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
+    dust.put_back(places);
+    EXPECT_TRUE(dust.is_sound());
+    EXPECT_EQ(dust.positions_m()[2], (Vec3d{3, 3, 3}));
+    EXPECT_EQ(dust.totals().kinetic_J, 0);
+    dust.change_velocity(1, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+    EXPECT_FALSE(dust.is_sound());
 }
 
 TEST(PointBody, IsRestored) {
