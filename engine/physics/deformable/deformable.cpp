@@ -205,10 +205,10 @@ void Deformable::act(const PhysicsWorld& world,
     kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
     const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
     std::uint32_t taken = 0;
-    for (double left_s = seconds; left_s > kNoTime * seconds;) {
+    for (double left_s = seconds; left_s > kNoTime * seconds && body_->is_sound();) {
         // Tension grows as it is drawn: planned anew every few sub-steps.
         const std::uint32_t count = body_->plan(left_s, most > taken ? most - taken : 1);
-        for (std::uint32_t i = 0; i < std::min(count, kPlanned); ++i) {
+        for (std::uint32_t i = 0; i < std::clamp(count, 1U, kPlanned); ++i) {
             substep(gravity_mps2, body_->substep_s(), left_s);
             left_s -= body_->substep_s();
             ++taken;

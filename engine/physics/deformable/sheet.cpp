@@ -94,8 +94,10 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double most_rad2 = def_.damping_s > 0 ? kMostDamped_rad2 : kMost_rad2;
     const double wanted =
         std::ceil(seconds * std::sqrt((stretching + bending + tension) / most_rad2));
-    const auto count = static_cast<std::uint32_t>(
-        std::clamp(wanted, 1.0, static_cast<double>(std::max(most, 1U))));
+    // As many as there may be also where the tension is no number.
+    const double allowed = std::max(most, 1U);
+    const auto count =
+        static_cast<std::uint32_t>(wanted < allowed ? std::max(wanted, 1.0) : allowed);
     substep_s_ = seconds / count;
     stiffness_share_ = bend_share_ = 1;
     weights_.clear();

@@ -160,8 +160,10 @@ std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
     const double longest_s =
         kMostSoft_rad2 / (damping + std::sqrt(damping * damping + kMostSoft_rad2 * fastest_radps2));
     const double wanted = std::ceil(seconds / longest_s);
-    const auto count = static_cast<std::uint32_t>(
-        std::clamp(wanted, 1.0, static_cast<double>(std::max(most, 1U))));
+    // As many as there may be also where the strain is no number.
+    const double allowed = std::max(most, 1U);
+    const auto count =
+        static_cast<std::uint32_t>(wanted < allowed ? std::max(wanted, 1.0) : allowed);
     substep_s_ = seconds / count;
     stiffness_share_ = 1;
     damping_s_ = def_.damping_s;
