@@ -45,7 +45,6 @@ public:
     bool has_points(std::size_t count) const {
         return body_->positions_m().size() == count && body_->velocities_mps().size() == count;
     }
-    double thickness_m() const { return thickness_m_; }
     /// Before begin_step(): air at a point, for drag.
     void set_air(std::size_t point, const Vec3d& velocity_mps);
     /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.

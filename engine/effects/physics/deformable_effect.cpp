@@ -3,9 +3,17 @@
 #include "engine/effects/physics/air.h"
 #include "engine/effects/physics/field_effect.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plumbline::effects {
+namespace {
+
+/// Of the stiffness asked for; less is said.
+constexpr double kStiffEnough = 0.95;
+
+}  // namespace
 
 using physics::BodyId;
 
@@ -88,6 +96,24 @@ void DeformableEffect::after_step(scene::Simulation& simulation, const scene::Ga
     for (scene::SceneDeformable& each : all_) {
         each.body->end_step(simulation.physics);
         work_.calls += each.body->substeps();
+    }
+    warn_of_softness();
+}
+
+void DeformableEffect::warn_of_softness() {
+    said_.resize(all_.size(), false);
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        const double share = all_[i].body->body().stiffness_share();
+        if (said_[i] || share >= kStiffEnough) continue;
+        said_[i] = true;
+        simulation_.warnings.push_back(
+            fmt::format("{} {}: the sub-steps allowed bear {:.0f} % of its stiffness: it is "
+                        "softer; make it of larger cells, or set "
+                        "[effects.{}] fidelity = \"precise\"",
+                        name_,
+                        all_[i].name,
+                        share * 100,
+                        name_));
     }
 }
 

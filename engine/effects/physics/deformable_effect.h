@@ -45,6 +45,7 @@ private:
         bool rests{false};
     };
     void set_air();
+    void warn_of_softness();
     void draw(const scene::SceneDeformable& each, double blend);
 
     scene::Simulation& simulation_;
@@ -53,6 +54,7 @@ private:
     scene::Fidelity fidelity_;
     std::vector<physics::BodyId> pushed_;  ///< bodies that they push in this step, by id
     std::vector<Drawn> drawn_;             ///< by body
+    std::vector<bool> said_;               ///< by body: that it is softer than asked
     bool blew_{false};
     LapTimer lap_;
 };

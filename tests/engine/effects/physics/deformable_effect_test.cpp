@@ -82,6 +82,19 @@ TEST(DeformableEffect, SleepsAndCostsNothingThen) {
     EXPECT_EQ(line_of(effects, "cloth").calls, calls);
 }
 
+TEST(DeformableEffect, SaysOnceWhatIsSofterThanAsked) {
+    SceneDescription scene = curtain();
+    scene.forces.cloths.front().stretch_Npm = 1e7;
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(5, effects);
+    int said = 0;
+    for (const std::string& warning : run->warnings)
+        said +=
+            warning.find("cloth curtain: the sub-steps allowed bear") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(said, 1);
+}
+
 TEST(DeformableEffect, WindWakesIt) {
     SceneDescription scene = curtain();
     scene.entities.pop_back();

@@ -113,11 +113,11 @@ TEST_F(SceneFileTest, ACameraThatCannotStandSoIsRefused) {
 
 TEST_F(SceneFileTest, EffectsThatAreNotBuiltAreToldInOneLine) {
     const Outcome outcome = load(
-        "[effects.fog]\n[effects.cloth]\n[effects.motion_blur]\n"
+        "[effects.fog]\n[effects.fracture]\n[effects.motion_blur]\n"
         "[effects.vehicles]\n");
     ASSERT_EQ(outcome.faults.size(), 1U);
     EXPECT_EQ(outcome.faults[0],
-              "scene.toml:2:1: warning: checked but not built yet: [effects.cloth]; "
+              "scene.toml:2:1: warning: checked but not built yet: [effects.fracture]; "
               "[effects.vehicles]");
     ASSERT_TRUE(outcome.scene.ok());
     EXPECT_TRUE(outcome.scene->effect_settings.contains("motion_blur"));
