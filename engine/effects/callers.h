@@ -6,11 +6,25 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace plumbline::effects {
 
 /// "[fog] (garden.toml:12)"; the name alone where it stands in no file.
 std::string setting(std::string_view name, const SourceLocation& location);
+
+/// Items of an array of tables, "[[rope]] line (yard.toml:12)"; none while the effect is called off.
+template <class T>
+Callers tables_of(const scene::Simulation& simulation,
+                  std::string_view effect,
+                  std::string_view key,
+                  const std::vector<T>& items) {
+    if (!simulation.switches.is_on(effect, true)) return {};
+    Callers callers;
+    for (const T& item : items)
+        callers.push_back(setting("[[" + std::string(key) + "]] " + item.name, item.location));
+    return callers;
+}
 
 /// Collects entities; names the first few.
 class EntityCallers {

@@ -41,10 +41,6 @@ public:
                const DeformableDef& def);
 
     const PointBody& body() const { return *body_; }
-    /// Whether all of its lists have so many, as they must after they were read.
-    bool has_points(std::size_t count) const {
-        return body_->positions_m().size() == count && body_->velocities_mps().size() == count;
-    }
     /// Before begin_step(): air at a point, for drag.
     void set_air(std::size_t point, const Vec3d& velocity_mps);
     /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
@@ -68,6 +64,7 @@ private:
         std::size_t point{0};
         BodyId to{};
         Vec3d in_mass_m{0, 0, 0};  ///< in the mass frame of what holds it; world
+        std::size_t near{0};       ///< its number among the bodies near, in this step
     };
     /// What pushes made of a body in the sub-step before, if nothing else held it: what stands on something does not move so.
     struct Expected {
@@ -77,7 +74,7 @@ private:
 
         void serialize(Archive& archive);
     };
-    /// What the sheet did to a body when it fell asleep.
+    /// What the sheet does to a body that sleeps.
     struct Load {
         BodyId body{};
         Vec3d force_N{0, 0, 0};
@@ -104,7 +101,8 @@ private:
     std::vector<NearBody> near_;
     std::vector<BodyId> movable_;
     std::vector<Expected> expected_;
-    std::vector<Load> loads_;   ///< on those that sleep
+    std::vector<Load> loads_;   ///< when they fell asleep
+    std::vector<Load> felt_;    ///< in the latest step
     std::vector<BodyId> seen_;  ///< what was near in the step before
     SurfaceContacts contacts_;
     double blowing_mps_{0};  ///< the fastest air

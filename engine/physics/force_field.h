@@ -61,6 +61,9 @@ public:
     virtual bool carries() const { return false; }
 };
 
+/// What thresholds measure forces by, whatever the scene's gravity.
+inline constexpr double kStandardGravity_mps2 = 9.80665;
+
 /// More fields than this at once are not asked.
 inline constexpr std::size_t kMostFields = 32;
 

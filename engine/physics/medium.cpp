@@ -6,6 +6,7 @@
 #include "engine/physics/collision/shape/hull_geometry.h"
 #include "engine/physics/collision/silhouette.h"
 #include "engine/physics/collision/submersion.h"
+#include "engine/physics/physics_world.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -138,6 +139,11 @@ Submersion submersion(const PhysicsWorld& world,
 
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id) {
     return glm::conjugate(Quatd(internals(world).body(id).traits.body_from_mass.orientation));
+}
+
+Quatd world_from_mass(const PhysicsWorld& world, BodyId id) {
+    return Quatd(world.state(id).world_from_body.orientation) *
+           glm::conjugate(mass_from_body(world, id));
 }
 
 std::size_t part_count(const PhysicsWorld& world, BodyId id) {

@@ -52,7 +52,8 @@ std::optional<BallContact> ball_contact(const PhysicsWorld& world,
 /// The coefficient of a body's material.
 double friction_of(const PhysicsWorld& world, BodyId id);
 
-/// The principal axes of inertia, as seen from the body's frame.
+/// The principal axes of inertia as the body stands, and as seen from its frame.
+Quatd world_from_mass(const PhysicsWorld& world, BodyId id);
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id);
 
 /// Convex parts that it is made of.

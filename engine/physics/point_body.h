@@ -89,6 +89,9 @@ protected:
     PointBody() = default;
     void add_point(const Vec3d& position_m, double mass_kg);
 
+    /// For plan(): as many as wanted, as far as there may be; as many as there may be, too, where the number wanted is none. Sets
+    /// substep_s_, and the share of the stiffness to 1.
+    std::uint32_t take_substeps(double seconds, double wanted, std::uint32_t most);
     /// Adds to impulses_Ns_ what acts in the sub-step.
     virtual void add_forces() = 0;
     /// Before forces act: what they do comes whole to what touches the body.

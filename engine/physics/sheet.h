@@ -65,7 +65,7 @@ private:
         return weights_.empty() ? 1 : weights_[point];
     }
     void add_threads();
-    std::vector<double> across_radps2() const;
+    void find_across();
     void add_stretch();
     void add_shear();
     void add_bending();
@@ -82,6 +82,7 @@ private:
     double bend_share_{1};  ///< as stiffness_share(), which is of stretch and shear
     std::vector<double>
         weights_;  ///< of forces on points that tension pulls across too fast; empty: 1
+    std::vector<double> across_radps2_;  ///< by point, of the latest plan
     std::size_t torn_{0};
 };
 

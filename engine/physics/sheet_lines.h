@@ -16,7 +16,8 @@ struct Thread {
     double rest_m{0};
     double stiffness_Npm{0};   ///< 0: torn
     double width_m{0};         ///< of the sheet that it stands for
-    Vec3d direction{1, 0, 0};  ///< unit, from a to b
+    double length_m{0};        ///< as measured
+    Vec3d direction{0, 0, 0};  ///< likewise: unit, from a to b; none where it has no length
 };
 
 /// Lines of threads, one after the other; within a line each begins where the one before ends.
@@ -24,6 +25,9 @@ class ThreadFamily {
 public:
     std::vector<Thread> threads;
     std::vector<std::uint32_t> line_ends;  ///< number of the thread after a line's last
+
+    /// Sets the length and the direction of each.
+    void measure(std::span<const Vec3d> positions_m);
 
     /// Velocities become (1 + W K scale)^-1 times what they are, K the stiffness of the threads: by the tensions of each line, a
     /// tridiagonal system. What threads pull at points that nothing moves is added to `held_Ns`.

@@ -309,10 +309,11 @@ private:
     void warn_of_mass_ratio();
     void warn_of_crowd();
     Result<physics::BodyId> end_of_joint(const std::string& name) const;
-    void forget_destroyed();
+    /// Null where the name is empty: the world.
     Result<physics::BodyId> holder_of(const std::string& name,
                                       const std::string& held,
                                       const SourceLocation& location) const;
+    void forget_destroyed();
 
     SceneDescription description_;
     assets::AssetLibrary& library_;

@@ -69,8 +69,8 @@ public:
             find_water(there, center);
             if (there.water < 0) continue;
             there.rise_m = 0;
-            const Submersion below =
-                below_of(there, body, center, world_from_mass(body, state), kUp);
+            const Submersion below = below_of(
+                there, body, center, physics::world_from_mass(simulation_.physics, body), kUp);
             sum += weight_Npm3(there) * below.volume_m3 * (level_m(there) - below.center_m.y);
         }
         return sum;
@@ -160,7 +160,10 @@ private:
         double volume_m3 = 0;
         double added_kg = 0;
         if (own.water >= 0) {
-            volume_m3 = below_of(own, body, center, world_from_mass(body, state), kUp).volume_m3;
+            volume_m3 =
+                below_of(
+                    own, body, center, physics::world_from_mass(simulation_.physics, body), kUp)
+                    .volume_m3;
             added_kg =
                 static_cast<double>(water_of(own).drag) * kAddedShare * density_of(own) * volume_m3;
         }
@@ -184,7 +187,8 @@ private:
         const physics::BodyState state = simulation_.physics.state(body);
         const Vec3d center(state.center_of_mass_world());
         const double volume_m3 =
-            below_of(own, body, center, world_from_mass(body, state), kUp).volume_m3;
+            below_of(own, body, center, physics::world_from_mass(simulation_.physics, body), kUp)
+                .volume_m3;
         displace(own, own.place_m, -own.volume_m3);
         displace(own, center, volume_m3);
         raise_level(own, volume_m3 - own.volume_m3);
@@ -339,19 +343,11 @@ private:
         return density_of(own) *
                std::max(-static_cast<double>(simulation_.physics.def().gravity_mps2.y), 0.0);
     }
-    Quatd world_from_mass(BodyId body, const physics::BodyState& state) const {
-        return Quatd(state.world_from_body.orientation) *
-               glm::conjugate(physics::mass_from_body(simulation_.physics, body));
-    }
     const Afloat& own_of(BodyId body) const { return receivers_.find(body)->own; }
 };
 
 Callers callers_of_buoyancy(const scene::Simulation& simulation) {
-    if (!simulation.switches.is_on("buoyancy", true)) return {};
-    Callers callers;
-    for (const scene::WaterDescription& water : simulation.description().forces.waters)
-        callers.push_back(setting("[[water]] " + water.name, water.location));
-    return callers;
+    return tables_of(simulation, "buoyancy", "water", simulation.description().forces.waters);
 }
 
 }  // namespace

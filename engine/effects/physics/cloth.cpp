@@ -16,11 +16,7 @@ public:
 };
 
 Callers callers_of_cloth(const scene::Simulation& simulation) {
-    if (!simulation.switches.is_on("cloth", true)) return {};
-    Callers callers;
-    for (const scene::ClothDescription& cloth : simulation.description().forces.cloths)
-        callers.push_back(setting("[[cloth]] " + cloth.name, cloth.location));
-    return callers;
+    return tables_of(simulation, "cloth", "cloth", simulation.description().forces.cloths);
 }
 
 }  // namespace

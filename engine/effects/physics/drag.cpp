@@ -77,7 +77,7 @@ private:
             if (!own.rested) own.resting_N = now_N;
             own.rested = true;
             const double change_N = glm::length(now_N - own.resting_N);
-            if (change_N > kWakingShare * own.mass_kg * kStandardGravity_mps2)
+            if (change_N > kWakingShare * own.mass_kg * physics::kStandardGravity_mps2)
                 simulation_.physics.wake(body);
         }
     }

@@ -64,9 +64,6 @@ private:
     std::vector<std::size_t> number_;  ///< by the index of the body's id
 };
 
-/// What thresholds measure forces by, whatever the scene's gravity.
-inline constexpr double kStandardGravity_mps2 = 9.80665;
-
 /// The sub-steps that a field asks for at a fidelity.
 constexpr int field_substeps(scene::Fidelity fidelity) {
     return by_fidelity(fidelity, std::array{1, 4, 16});

@@ -178,7 +178,7 @@ private:
 
     /// Where the pull of such moments is the least that counts.
     static double reach_m(double moments_A2m4, double mass_kg) {
-        const double least_N = kLeastPull * mass_kg * kStandardGravity_mps2;
+        const double least_N = kLeastPull * mass_kg * physics::kStandardGravity_mps2;
         return std::sqrt(std::sqrt(6 * kMu0Over4Pi * moments_A2m4 / least_N));
     }
 

@@ -58,11 +58,7 @@ private:
 };
 
 Callers callers_of_ropes(const scene::Simulation& simulation) {
-    if (!simulation.switches.is_on("rope", true)) return {};
-    Callers callers;
-    for (const scene::RopeDescription& rope : simulation.description().forces.ropes)
-        callers.push_back(setting("[[rope]] " + rope.name, rope.location));
-    return callers;
+    return tables_of(simulation, "rope", "rope", simulation.description().forces.ropes);
 }
 
 }  // namespace

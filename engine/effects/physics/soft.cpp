@@ -16,11 +16,7 @@ public:
 };
 
 Callers callers_of_soft(const scene::Simulation& simulation) {
-    if (!simulation.switches.is_on("soft", true)) return {};
-    Callers callers;
-    for (const scene::SoftDescription& soft : simulation.description().forces.softs)
-        callers.push_back(setting("[[soft]] " + soft.name, soft.location));
-    return callers;
+    return tables_of(simulation, "soft", "soft", simulation.description().forces.softs);
 }
 
 }  // namespace

@@ -23,7 +23,6 @@ constexpr double kCalm_s = 2;
 constexpr double kStill_mps = 0.05;
 /// Of its weight: what a sheet's push on a sleeping body must have changed by for it to wake.
 constexpr double kWakingShare = 0.05;
-constexpr double kStandardGravity_mps2 = 9.80665;
 /// Places along a cell's side that may touch a small body.
 constexpr std::uint32_t kMostPlaces = 4;
 /// Of the speed that a push would give a free body: what one that is held gets at least.
@@ -67,10 +66,8 @@ Deformable::Deformable(const PhysicsWorld& world,
         body_->pin(pin.point);
         Vec3d at = body_->positions_m()[pin.point];
         if (pin.to) {
-            const BodyState state = world.state(pin.to);
-            const Quatd world_from_mass = Quatd(state.world_from_body.orientation) *
-                                          glm::conjugate(mass_from_body(world, pin.to));
-            at = glm::conjugate(world_from_mass) * (at - Vec3d(state.center_of_mass_world()));
+            const Vec3d center_m(world.state(pin.to).center_of_mass_world());
+            at = glm::conjugate(world_from_mass(world, pin.to)) * (at - center_m);
         }
         holders_.push_back({.point = pin.point, .to = pin.to, .in_mass_m = at});
     }
@@ -108,9 +105,11 @@ void Deformable::list_near(const PhysicsWorld& world) {
     });
     near_.clear();
     movable_.clear();
-    for (const Holder& holder : holders_) {
-        if (!holder.to || std::ranges::find(near_, holder.to, &NearBody::id) != near_.end())
-            continue;
+    for (Holder& holder : holders_) {
+        if (!holder.to) continue;
+        const auto known = std::ranges::find(near_, holder.to, &NearBody::id);
+        holder.near = static_cast<std::size_t>(known - near_.begin());
+        if (known != near_.end()) continue;
         add_near(world, holder.to);
         near_.back().touches = false;
     }
@@ -136,13 +135,13 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const BodyState state = world.state(id);
     NearBody near{.id = id,
                   .center_m = Vec3d(state.center_of_mass_world()),
-                  .world_from_mass = Quatd(state.world_from_body.orientation) *
-                                     glm::conjugate(mass_from_body(world, id)),
+                  .world_from_mass = world_from_mass(world, id),
                   .spin_radps = Vec3d(state.angular_velocity_radps)};
     const Vec3d arm = near.center_m - Vec3d(state.world_from_body.position);
-    if (state.kind != BodyKind::Static)
+    if (state.kind != BodyKind::Static) {
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
-    if (state.kind != BodyKind::Static) near.radius_m = radius_m(world, id);
+        near.radius_m = radius_m(world, id);
+    }
     near.friction = std::sqrt(friction_ * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);
@@ -158,15 +157,14 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
 /// A body that fell asleep with the sheet on it wakes where what the sheet does to it changes.
 void Deformable::wake_touched(PhysicsWorld& world) {
     std::vector<Load> loads;
-    for (const NearBody& near : near_) {
-        if (!near.can_wake || !world.contains(near.id) || !(done_s_ > 0)) continue;
-        const Load now{.body = near.id, .force_N = near.felt_Ns / done_s_};
-        const auto before = std::ranges::find(loads_, near.id, &Load::body);
+    for (const Load& now : felt_) {
+        if (!world.contains(now.body)) continue;
+        const auto before = std::ranges::find(loads_, now.body, &Load::body);
         loads.push_back(before != loads_.end() ? *before : now);
         const double weight_N =
-            static_cast<double>(world.state(near.id).mass.mass_kg) * kStandardGravity_mps2;
+            static_cast<double>(world.state(now.body).mass.mass_kg) * kStandardGravity_mps2;
         if (glm::length(now.force_N - loads.back().force_N) > kWakingShare * weight_N)
-            world.wake(near.id);
+            world.wake(now.body);
     }
     loads_ = std::move(loads);
 }
@@ -220,7 +218,11 @@ void Deformable::act(const PhysicsWorld& world,
 }
 
 void Deformable::end_step(const PhysicsWorld& world) {
-    if (step_s_ - done_s_ > 1e-9 * step_s_) act(world, {}, step_s_ - done_s_);
+    if (step_s_ - done_s_ > kNoTime * step_s_) act(world, {}, step_s_ - done_s_);
+    felt_.clear();
+    for (const NearBody& near : near_) {
+        if (near.can_wake) felt_.push_back({.body = near.id, .force_N = near.felt_Ns / step_s_});
+    }
 }
 
 /// From the middle of the sub-step back to its start.
@@ -288,7 +290,7 @@ void Deformable::lead_pins(double h, double left_s) {
         Vec3d start = holder.in_mass_m;
         Vec3d end = start;
         if (holder.to) {
-            const NearBody& near = *std::ranges::find(near_, holder.to, &NearBody::id);
+            const NearBody& near = near_[holder.near];
             const Quatd then = turn_by(near.spin_radps, h) * near.world_from_mass;
             start = near.center_m + near.world_from_mass * holder.in_mass_m;
             end = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
@@ -301,7 +303,7 @@ void Deformable::lead_pins(double h, double left_s) {
 void Deformable::load_holders() {
     for (const Holder& holder : holders_) {
         if (!holder.to) continue;
-        NearBody& near = *std::ranges::find(near_, holder.to, &NearBody::id);
+        NearBody& near = near_[holder.near];
         near.push(body_->support_Ns(holder.point),
                   body_->positions_m()[holder.point] - near.center_m);
     }
@@ -317,7 +319,7 @@ void Deformable::Load::serialize(Archive& archive) {
 
 void Deformable::serialize(Archive& archive) {
     body_->serialize(archive);
-    archive(calm_m_, calm_s_, asleep_, seen_, loads_, expected_);
+    archive(calm_m_, calm_s_, asleep_, seen_, loads_, felt_, expected_);
 }
 
 }  // namespace plumbline::physics

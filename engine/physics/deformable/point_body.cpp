@@ -35,6 +35,15 @@ void PointBody::accelerate(const Vec3d& gravity_mps2) {
         velocities_mps_[i] += impulses_Ns_[i] * (inverse_masses_[i] * weight_of(i));
 }
 
+std::uint32_t PointBody::take_substeps(double seconds, double wanted, std::uint32_t most) {
+    const double allowed = std::max(most, 1U);
+    const auto count =
+        static_cast<std::uint32_t>(wanted < allowed ? std::max(wanted, 1.0) : allowed);
+    substep_s_ = seconds / count;
+    stiffness_share_ = 1;
+    return count;
+}
+
 void PointBody::slow_down(double share) {
     for (Vec3d& velocity : velocities_mps_) velocity *= share;
 }
@@ -73,7 +82,11 @@ PointTotals PointBody::totals() const {
 
 void PointBody::serialize(Archive& archive) {
     archive(positions_m_, velocities_mps_, inverse_masses_);
-    serialize_own(archive);
+    const std::size_t count = masses_kg_.size();
+    if (archive.expect(positions_m_.size() == count && velocities_mps_.size() == count &&
+                           inverse_masses_.size() == count,
+                       "a deforming body has other points"))
+        serialize_own(archive);
 }
 
 }  // namespace plumbline::physics

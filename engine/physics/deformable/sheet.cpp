@@ -17,8 +17,6 @@ constexpr double kMostBending_rad2 = 0.8;
 constexpr double kMostAcross_rad2 = 0.5;
 /// Threads give back a little less than they take, so that what rings falls silent: a mode of frequency w decays at this times w2 h / 2.
 constexpr double kInternalFriction = 0.05;
-/// Shorter threads have no direction.
-constexpr double kNoLength_m = 1e-9;
 
 }  // namespace
 
@@ -68,18 +66,17 @@ void Sheet::add_threads() {
 }
 
 /// Gershgorin: twice the sum of what crosses a point's threads, over its mass, bounds the square of its frequency.
-std::vector<double> Sheet::across_radps2() const {
-    std::vector<double> across(positions_m_.size(), 0.0);
+void Sheet::find_across() {
+    across_radps2_.assign(positions_m_.size(), 0.0);
     for (const ThreadFamily& family : families_) {
         for (const Thread& thread : family.threads) {
             const double length_m = glm::distance(positions_m_[thread.a], positions_m_[thread.b]);
             if (!(length_m > thread.rest_m)) continue;
             const double each = 2 * thread.stiffness_Npm * (length_m - thread.rest_m) / length_m;
-            across[thread.a] += each * inverse_masses_[thread.a];
-            across[thread.b] += each * inverse_masses_[thread.b];
+            across_radps2_[thread.a] += each * inverse_masses_[thread.a];
+            across_radps2_[thread.b] += each * inverse_masses_[thread.b];
         }
     }
-    return across;
 }
 
 std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
@@ -89,17 +86,13 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double stretching =
         4 * (def_.stretch_Npm * (x2 + y2) + def_.shear_Npm * std::max(x2, y2)) / rho;
     const double bending = 16 * def_.bend_Nm * (x2 + y2) * (x2 + y2) / rho;
-    std::vector<double> across = across_radps2();
-    const double tension = *std::ranges::max_element(across);
+    find_across();
+    const double tension = *std::ranges::max_element(across_radps2_);
     const double most_rad2 = def_.damping_s > 0 ? kMostDamped_rad2 : kMost_rad2;
     const double wanted =
         std::ceil(seconds * std::sqrt((stretching + bending + tension) / most_rad2));
-    // As many as there may be also where the tension is no number.
-    const double allowed = std::max(most, 1U);
-    const auto count =
-        static_cast<std::uint32_t>(wanted < allowed ? std::max(wanted, 1.0) : allowed);
-    substep_s_ = seconds / count;
-    stiffness_share_ = bend_share_ = 1;
+    const std::uint32_t count = take_substeps(seconds, wanted, most);
+    bend_share_ = 1;
     weights_.clear();
     if (count >= wanted) return count;
     const double h2 = substep_s_ * substep_s_;
@@ -108,9 +101,8 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
         most_rad2 - bend_share_ * bending * h2 - std::min(tension * h2, kMostAcross_rad2);
     stiffness_share_ = std::min(1.0, left_rad2 / std::max(stretching * h2, 1e-12));
     if (tension * h2 <= kMostAcross_rad2) return count;
-    for (double& weight : across)
-        weight = std::min(1.0, kMostAcross_rad2 / std::max(weight * h2, 1e-12));
-    weights_ = std::move(across);
+    for (const double radps2 : across_radps2_)
+        weights_.push_back(std::min(1.0, kMostAcross_rad2 / std::max(radps2 * h2, 1e-12)));
     return count;
 }
 
@@ -140,16 +132,14 @@ void Sheet::add_forces() {
 
 void Sheet::add_stretch() {
     const double h = substep_s_;
-    for (ThreadFamily& family : families_) {
-        for (Thread& thread : family.threads) {
-            const Vec3d along = positions_m_[thread.b] - positions_m_[thread.a];
-            const double length_m = glm::length(along);
-            if (length_m > kNoLength_m) thread.direction = along / length_m;
+    for (const ThreadFamily& family : families_) {
+        for (const Thread& thread : family.threads) {
             const double opening_m =
                 glm::dot(thread.direction, velocities_mps_[thread.b] - velocities_mps_[thread.a]) *
                 h;
-            const double pull_Ns = stiffness_share_ * thread.stiffness_Npm * h *
-                                   (length_m - thread.rest_m + opening_m * kInternalFriction);
+            const double pull_Ns =
+                stiffness_share_ * thread.stiffness_Npm * h *
+                (thread.length_m - thread.rest_m + opening_m * kInternalFriction);
             impulses_Ns_[thread.a] += thread.direction * pull_Ns;
             impulses_Ns_[thread.b] -= thread.direction * pull_Ns;
         }
@@ -215,6 +205,7 @@ void Sheet::add_bending() {
 /// Each line takes exactly what its damping takes in the sub-step, never more than there is; forwards and backwards by half, which
 /// keeps all of it together stable, too.
 void Sheet::damp() {
+    for (ThreadFamily& family : families_) family.measure(positions_m_);
     if (!(def_.damping_s > 0)) return;
     const double half_s2 = substep_s_ * def_.damping_s / 2;
     const double shear_kgm2 = def_.shear_Npm * cell_m_[0] * cell_m_[1] * half_s2 * stiffness_share_;
@@ -367,12 +358,13 @@ double Sheet::elastic_J() const {
 }
 
 void Sheet::serialize_own(Archive& archive) {
+    torn_ = 0;
     for (const std::size_t axis : {0U, 1U}) {
-        for (Thread& thread : families_[axis].threads) archive(thread.stiffness_Npm);
+        for (Thread& thread : families_[axis].threads) {
+            archive(thread.stiffness_Npm);
+            torn_ += thread.stiffness_Npm == 0 ? 1U : 0U;
+        }
     }
-    std::uint64_t torn = torn_;
-    archive(torn);
-    torn_ = torn;
 }
 
 }  // namespace plumbline::physics

@@ -5,8 +5,18 @@ namespace {
 
 /// Of a point that nothing moves, kg.
 constexpr double kHeld_kg = 1e12;
+/// Shorter threads have no direction.
+constexpr double kNoLength_m = 1e-9;
 
 }  // namespace
+
+void ThreadFamily::measure(std::span<const Vec3d> positions_m) {
+    for (Thread& thread : threads) {
+        const Vec3d along = positions_m[thread.b] - positions_m[thread.a];
+        thread.length_m = glm::length(along);
+        thread.direction = thread.length_m > kNoLength_m ? along / thread.length_m : Vec3d{0};
+    }
+}
 
 void ThreadFamily::relax(double scale_s2,
                          std::span<const double> inverse_masses,

@@ -160,12 +160,7 @@ std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
     const double longest_s =
         kMostSoft_rad2 / (damping + std::sqrt(damping * damping + kMostSoft_rad2 * fastest_radps2));
     const double wanted = std::ceil(seconds / longest_s);
-    // As many as there may be also where the strain is no number.
-    const double allowed = std::max(most, 1U);
-    const auto count =
-        static_cast<std::uint32_t>(wanted < allowed ? std::max(wanted, 1.0) : allowed);
-    substep_s_ = seconds / count;
-    stiffness_share_ = 1;
+    const std::uint32_t count = take_substeps(seconds, wanted, most);
     damping_s_ = def_.damping_s;
     if (count >= wanted) return count;
     const double turned_rad2 = fastest_radps2 * substep_s_ * substep_s_;
@@ -178,8 +173,7 @@ void SoftBody::add_forces() {
     const double h = substep_s_ * stiffness_share_;
     // What rings loses a little, now and then.
     const bool rubs = ++substep_ % kRubsEvery == 0;
-    const double damped_s = def_.damping_s > 0 ? damping_s_ : 0;
-    const double lost_s = damped_s + (rubs ? kRubsEvery * kSoftFriction * h : 0);
+    const double lost_s = damping_s_ + (rubs ? kRubsEvery * kSoftFriction * h : 0);
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const Cell& cell = cells_[number];
         const Strain strain = strain_of(number, positions_m_);
@@ -300,8 +294,9 @@ std::vector<SurfacePlace> SoftBody::places(std::uint32_t along) const {
             has[point] = true;
         }
         for (std::uint32_t i = 0; i < (along + 1) * (along + 1); ++i) {
+            const std::uint32_t row = i / (along + 1);
             const double x = static_cast<double>(i % (along + 1)) / along;
-            const double y = static_cast<double>(i / (along + 1)) / along;
+            const double y = static_cast<double>(row) / along;
             const bool is_corner = (x == 0 || x == 1) && (y == 0 || y == 1);
             if (is_corner) continue;
             places.push_back({.points = face.points,

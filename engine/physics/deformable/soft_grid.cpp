@@ -92,7 +92,7 @@ SoftGrid ellipsoid_grid(const Vec3d& half_axes_m, const Counts& cells) {
     for (SoftGrid::Face& face : grid.faces) face.side = 0;
     const SoftBody within({.grid = grid});
     const double whole_m3 =
-        4.0 / 3 * 3.14159265358979323846 * half_axes_m.x * half_axes_m.y * half_axes_m.z;
+        4.0 / 3 * glm::pi<double>() * half_axes_m.x * half_axes_m.y * half_axes_m.z;
     // Its cube root, by Newton's method.
     double scale = 1;
     for (int i = 0; i < 30; ++i)

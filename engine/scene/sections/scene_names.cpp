@@ -76,6 +76,11 @@ std::optional<SourceLocation> SceneNames::copy_location(std::string_view name) c
     return context_.array_locations[copy->array];
 }
 
+void read_holder(TableReader& table, const SceneNames& names, std::string& to) {
+    if (table.has("to")) read_named_end(table, "to", names, to, true);
+    if (to == "world") to.clear();
+}
+
 void check_names(const SceneDescription& scene, LoadContext& context) {
     std::unordered_map<std::string, SourceLocation> taken;
     const auto take =

@@ -3,11 +3,15 @@
 
 #include "engine/scene/sections/scene_parts.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace plumbline::scene {
 
@@ -56,6 +60,27 @@ NamedEnd read_named_end(TableReader& table,
                         const SceneNames& names,
                         std::string& name,
                         bool or_world);
+
+/// The key `to`, an entity with a body, in `to`; "world" and absent: empty.
+void read_holder(TableReader& table, const SceneNames& names, std::string& to);
+
+/// Names those of an array of tables that have none, "rope#1"; a name that is `taken` or an entity's is an error. `others`: "another rope or
+/// entity".
+template <class T>
+void name_each(TableReader& root,
+               std::string_view key,
+               std::vector<T>& things,
+               const SceneNames& names,
+               std::set<std::string>& taken,
+               std::string_view others) {
+    const auto nodes = root.tables(key);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        std::string& name = things[i].name;
+        if (name.empty()) name = fmt::format("{}#{}", key, i + 1);
+        if (taken.insert(name).second && !names.find(name)) continue;
+        root.item(key, nodes, i).error("name", "\"{}\" is the name of {}", shown(name), others);
+    }
+}
 
 /// Every name that two things share is an error that gives both places; "world" is taken too.
 void check_names(const SceneDescription& scene, LoadContext& context);

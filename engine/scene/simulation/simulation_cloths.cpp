@@ -4,8 +4,6 @@
 #include "engine/scene/simulation.h"
 #include "engine/scene/simulation/deformable_look.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,14 +67,9 @@ Result<Done> Simulation::add_cloth(const ClothDescription& description) {
         .substeps_per_s = kWork_ps[fidelity] / ((cells[0] + 1) * (cells[1] + 1)),
         .pins = {}};
     for (const ClothPinDescription& pin : description.pins) {
-        physics::BodyId to{};
-        if (!pin.to.empty()) {
-            const auto holder =
-                holder_of(pin.to, "cloth " + description.name, description.location);
-            if (!holder) return holder.error();
-            to = *holder;
-        }
-        add_pins(pin, cells, to, def.pins);
+        const auto holder = holder_of(pin.to, "cloth " + description.name, description.location);
+        if (!holder) return holder.error();
+        add_pins(pin, cells, *holder, def.pins);
     }
     EntityDescription seen;
     seen.visual = physics::BoxShape{};

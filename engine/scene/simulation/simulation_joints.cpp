@@ -12,6 +12,16 @@ Result<physics::BodyId> Simulation::end_of_joint(const std::string& name) const 
     return Error{fmt::format("\"{}\" has no body to hold on to", name), ExitCode::Refused};
 }
 
+Result<physics::BodyId> Simulation::holder_of(const std::string& name,
+                                              const std::string& held,
+                                              const SourceLocation& location) const {
+    if (name.empty()) return physics::BodyId{};
+    Result<physics::BodyId> holder = end_of_joint(name);
+    if (holder) return holder;
+    return Error{fmt::format("{}: {}: {}", to_string(location), held, holder.error().message),
+                 ExitCode::Refused};
+}
+
 Result<Done> Simulation::add_joint(const JointDescription& description) {
     const auto refuse = [&description](const std::string& why) {
         return Error{

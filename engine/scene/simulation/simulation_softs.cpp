@@ -5,8 +5,6 @@
 #include "engine/scene/simulation.h"
 #include "engine/scene/simulation/deformable_look.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,15 +81,6 @@ EntityDescription look_of(const SoftDescription& soft) {
 
 }  // namespace
 
-Result<physics::BodyId> Simulation::holder_of(const std::string& name,
-                                              const std::string& held,
-                                              const SourceLocation& location) const {
-    Result<physics::BodyId> holder = end_of_joint(name);
-    if (holder) return holder;
-    return Error{fmt::format("{}: {}: {}", to_string(location), held, holder.error().message),
-                 ExitCode::Refused};
-}
-
 Result<Done> Simulation::add_soft(const SoftDescription& description) {
     const auto fidelity = static_cast<std::size_t>(description_.forces.fidelity.soft);
     const Result<ecs::Entity> entity = builder_->build(look_of(description), description.name);
@@ -110,14 +99,10 @@ Result<Done> Simulation::add_soft(const SoftDescription& description) {
         .substeps_per_s = kWork_ps[fidelity] / static_cast<double>(grid.cells.size()),
         .pins = {}};
     for (const SoftPinDescription& pin : description.pins) {
-        physics::BodyId to{};
-        if (!pin.to.empty()) {
-            const auto holder =
-                holder_of(pin.to, "soft body " + description.name, description.location);
-            if (!holder) return holder.error();
-            to = *holder;
-        }
-        add_soft_pins(pin, grid, to, def.pins);
+        const auto holder =
+            holder_of(pin.to, "soft body " + description.name, description.location);
+        if (!holder) return holder.error();
+        add_soft_pins(pin, grid, *holder, def.pins);
     }
     auto owned = std::make_unique<physics::SoftBody>(
         physics::SoftBodyDef{.grid = std::move(grid),

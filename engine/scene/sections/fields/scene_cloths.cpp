@@ -3,8 +3,6 @@
 #include "engine/scene/sections/scene_names.h"
 #include "engine/scene/sections/scene_parts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
@@ -20,8 +18,7 @@ constexpr Range kClothStiffness{0, 1e9, "a number from 0 to 1e9"};
 constexpr Range kShare{0, 1, "shares from 0 to 1"};
 
 void read_pin(TableReader& table, ClothPinDescription& pin, const SceneNames& names) {
-    if (table.has("to")) read_named_end(table, "to", names, pin.to, true);
-    if (pin.to == "world") pin.to.clear();
+    read_holder(table, names, pin.to);
     if (!table.has("edge")) {
         table.require(
             "at",
@@ -88,13 +85,7 @@ void read_cloths(TableReader& root, SceneDescription& scene, LoadContext& contex
     root.read_tables("cloth", scene.forces.cloths, read_cloth, names);
     std::set<std::string> taken;
     for (const RopeDescription& rope : scene.forces.ropes) taken.insert(rope.name);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        std::string& name = scene.forces.cloths[i].name;
-        if (name.empty()) name = fmt::format("cloth#{}", i + 1);
-        if (taken.insert(name).second && !names.find(name)) continue;
-        root.item("cloth", nodes, i)
-            .error("name", "\"{}\" is the name of another cloth, rope or entity", shown(name));
-    }
+    name_each(root, "cloth", scene.forces.cloths, names, taken, "another cloth, rope or entity");
 }
 
 }  // namespace plumbline::scene

@@ -108,13 +108,7 @@ void read_ropes(TableReader& root, SceneDescription& scene, LoadContext& context
     const SceneNames names(scene, context);
     root.read_tables("rope", scene.forces.ropes, read_rope, names);
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        std::string& name = scene.forces.ropes[i].name;
-        if (name.empty()) name = fmt::format("rope#{}", i + 1);
-        if (taken.insert(name).second && !names.find(name)) continue;
-        root.item("rope", nodes, i)
-            .error("name", "\"{}\" is the name of another rope or entity", shown(name));
-    }
+    name_each(root, "rope", scene.forces.ropes, names, taken, "another rope or entity");
 }
 
 }  // namespace plumbline::scene

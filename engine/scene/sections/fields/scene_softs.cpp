@@ -4,8 +4,6 @@
 #include "engine/scene/sections/scene_names.h"
 #include "engine/scene/sections/scene_parts.h"
 
-#include <fmt/format.h>
-
 #include <set>
 
 namespace plumbline::scene {
@@ -21,8 +19,7 @@ void read_soft_pin(TableReader& table, SoftPinDescription& pin, const SceneNames
     table.require("max_m", "[x, y, z] in m");
     table.read("min_m", pin.min_m, kCoordinate_m);
     table.read("max_m", pin.max_m, kCoordinate_m);
-    if (table.has("to")) read_named_end(table, "to", names, pin.to, true);
-    if (pin.to == "world") pin.to.clear();
+    read_holder(table, names, pin.to);
 }
 
 void read_form(TableReader& table, SoftDescription& soft, const LoadContext& context) {
@@ -86,15 +83,8 @@ void read_softs(TableReader& root, SceneDescription& scene, LoadContext& context
     std::set<std::string> taken;
     for (const RopeDescription& rope : scene.forces.ropes) taken.insert(rope.name);
     for (const ClothDescription& cloth : scene.forces.cloths) taken.insert(cloth.name);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        std::string& name = scene.forces.softs[i].name;
-        if (name.empty()) name = fmt::format("soft#{}", i + 1);
-        if (taken.insert(name).second && !names.find(name)) continue;
-        root.item("soft", nodes, i)
-            .error("name",
-                   "\"{}\" is the name of another soft body, cloth, rope or entity",
-                   shown(name));
-    }
+    name_each(
+        root, "soft", scene.forces.softs, names, taken, "another soft body, cloth, rope or entity");
 }
 
 }  // namespace plumbline::scene

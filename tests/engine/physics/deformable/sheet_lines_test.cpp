@@ -24,12 +24,22 @@ TEST(SheetLines, AThreadSlowsHowItsEndsPart) {
     EXPECT_EQ(velocities[0].y, 2);
 }
 
+TEST(SheetLines, AThreadIsMeasuredWhereItsEndsAre) {
+    ThreadFamily family;
+    family.threads = {{.a = 0, .b = 1}, {.a = 1, .b = 2}};
+    family.measure(std::array{Vec3d{1, 2, 3}, Vec3d{1, 0, 3}, Vec3d{1, 0, 3}});
+    EXPECT_EQ(family.threads[0].length_m, 2);
+    EXPECT_EQ(family.threads[0].direction, (Vec3d{0, -1, 0}));
+    EXPECT_EQ(family.threads[1].direction, (Vec3d{0, 0, 0})) << "both of its ends are in one place";
+}
+
 // Against the same matrix solved point by point, until nothing changes.
 TEST(SheetLines, ALineIsSolvedAtOnce) {
     constexpr std::size_t kPoints = 6;
     ThreadFamily family;
     for (std::uint32_t i = 0; i + 1 < kPoints; ++i)
-        family.threads.push_back({.a = i, .b = i + 1, .stiffness_Npm = 3.0 + i});
+        family.threads.push_back(
+            {.a = i, .b = i + 1, .stiffness_Npm = 3.0 + i, .direction = {1, 0, 0}});
     family.line_ends = {kPoints - 1};
     std::array<double, kPoints> weights{1, 2, 0, 1, 3, 1};
     std::array<Vec3d, kPoints> velocities{};
@@ -52,7 +62,8 @@ TEST(SheetLines, ALineIsSolvedAtOnce) {
 
 TEST(SheetLines, ATornThreadTakesNothing) {
     ThreadFamily family;
-    family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 0}, {.a = 1, .b = 2, .stiffness_Npm = 1e9}};
+    family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 0, .direction = {1, 0, 0}},
+                      {.a = 1, .b = 2, .stiffness_Npm = 1e9, .direction = {1, 0, 0}}};
     family.line_ends = {2};
     const std::array<double, 3> weights{1, 1, 1};
     std::array<Vec3d, 3> velocities{Vec3d{-5, 0, 0}, Vec3d{0, 0, 0}, Vec3d{2, 0, 0}};
