@@ -25,8 +25,9 @@ enum class JointKind : std::uint8_t {
 
 /// Drives a hinge or a slider towards a speed with at most a torque or force.
 struct JointMotor {
-    Real target{0};  ///< rad/s or m/s, of a against b
-    Real max{0};     ///< N m or N; >= 0
+    Real target{0};    ///< rad/s or m/s, of a against b
+    Real max{0};       ///< N m or N; >= 0
+    Real turn_rad{0};  ///< Slider: how far a is held turned against b about the axis; 0 at creation
 };
 
 /// How small_step solves the joints of an island.

@@ -98,22 +98,21 @@ std::optional<BallContact> near_parts(const BodyGeometry& geometry,
 
 std::optional<BallContact> ball_contact(const PhysicsWorld& world,
                                         BodyId id,
-                                        const Vec3d& center_m,
-                                        const Quatd& world_from_mass,
+                                        const MassFrame& at,
                                         const Vec3d& ball_m,
                                         double radius_m,
                                         double reach_m) {
     const BodyGeometry& geometry = *internals(world).body(id).traits.geometry;
-    const Mat3 rotation(glm::mat3_cast(world_from_mass));
+    const Mat3 rotation(glm::mat3_cast(at.world_from_mass));
     if (geometry.mesh)
         return near_mesh(*geometry.mesh,
-                         {.rotation = rotation, .position_m = Vec3(center_m)},
+                         {.rotation = rotation, .position_m = Vec3(at.center_m)},
                          ball_m,
                          radius_m,
                          reach_m);
     // Near the origin, where single precision has its digits.
-    const Transform body{.rotation = rotation, .position_m = Vec3(center_m - ball_m)};
-    const Vec3d local = glm::conjugate(world_from_mass) * (ball_m - center_m);
+    const Transform body{.rotation = rotation, .position_m = Vec3(at.center_m - ball_m)};
+    const Vec3d local = glm::conjugate(at.world_from_mass) * (ball_m - at.center_m);
     std::optional<BallContact> nearest = near_parts(geometry, body, local, radius_m, reach_m);
     if (nearest) nearest->on_body_m += ball_m;
     return nearest;
@@ -129,12 +128,14 @@ double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& directio
 
 Submersion submersion(const PhysicsWorld& world,
                       BodyId id,
-                      const Vec3d& center_m,
-                      const Quatd& world_from_mass,
+                      const MassFrame& at,
                       double level_m,
                       const Vec3d& direction) {
-    return submersion(
-        *internals(world).body(id).traits.geometry, center_m, world_from_mass, level_m, direction);
+    return submersion(*internals(world).body(id).traits.geometry,
+                      at.center_m,
+                      at.world_from_mass,
+                      level_m,
+                      direction);
 }
 
 Quatd mass_from_body(const PhysicsWorld& world, BodyId id) {

@@ -24,11 +24,16 @@ struct Submersion {
 /// m2: how large it looks along the unit `direction`, in the frame of its principal axes (silhouette.h).
 double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& direction_mass);
 
+/// Where a body's centre of mass and principal axes of inertia are.
+struct MassFrame {
+    Vec3d center_m{0, 0, 0};
+    Quatd world_from_mass{1, 0, 0, 0};
+};
+
 /// What of it lies below a level when its mass frame is there. `direction`: unit, world.
 Submersion submersion(const PhysicsWorld& world,
                       BodyId id,
-                      const Vec3d& center_m,
-                      const Quatd& world_from_mass,
+                      const MassFrame& at,
                       double level_m,
                       const Vec3d& direction);
 
@@ -43,8 +48,7 @@ struct BallContact {
 /// fronts of its triangles, down to `reach_m`.
 std::optional<BallContact> ball_contact(const PhysicsWorld& world,
                                         BodyId id,
-                                        const Vec3d& center_m,
-                                        const Quatd& world_from_mass,
+                                        const MassFrame& at,
                                         const Vec3d& ball_m,
                                         double radius_m,
                                         double reach_m);

@@ -270,11 +270,11 @@ private:
                         const Vec3d& direction) const {
         const physics::PhysicsWorld& world = simulation_.physics;
         Submersion below =
-            physics::submersion(world, body, center, orientation, level_m(own), direction);
+            physics::submersion(world, body, {center, orientation}, level_m(own), direction);
         const auto ground_m = static_cast<double>(water_of(own).min_m.y);
         if (below.volume_m3 <= 0 || center.y - own.radius_m > ground_m) return below;
         const Submersion under =
-            physics::submersion(world, body, center, orientation, ground_m, direction);
+            physics::submersion(world, body, {center, orientation}, ground_m, direction);
         const double volume_m3 = below.volume_m3 - under.volume_m3;
         if (volume_m3 > 0 && under.volume_m3 > 0)
             below.center_m =

@@ -53,6 +53,8 @@ public:
     }
 
     void drive() {
+        if (joint_.kind == JointKind::Slider)
+            m_frameInA = frame_of(joint_.frame_in_b, joint_.anchor_in_b);
         const bool driven = joint_.motor && joint_.motor->max > 0;
         enableMotor(axis_, driven);
         if (!driven) return;

@@ -85,7 +85,7 @@ void SurfaceContacts::add(const PhysicsWorld& world,
             glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
             continue;
         const auto touch = ball_contact(
-            world, near.id, near.center_m, near.world_from_mass, at, radius_m, reach_m);
+            world, near.id, {near.center_m, near.world_from_mass}, at, radius_m, reach_m);
         if (!touch) continue;
         contacts_.push_back({.near = number,
                              .place = place,

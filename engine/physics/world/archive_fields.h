@@ -60,7 +60,7 @@ inline void serialize(Archive& archive, ContactEvent& event) {
 }
 
 inline void serialize(Archive& archive, JointMotor& motor) {
-    archive(motor.target, motor.max);
+    archive(motor.target, motor.max, motor.turn_rad);
 }
 
 inline void serialize(Archive& archive, JointDef& def) {

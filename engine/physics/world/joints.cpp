@@ -26,7 +26,8 @@ bool is_positive_or_zero(Real number) {
     return std::isfinite(number) && number >= 0;
 }
 bool is_good(const JointMotor& motor) {
-    return std::isfinite(motor.target) && is_positive_or_zero(motor.max);
+    return std::isfinite(motor.target) && std::isfinite(motor.turn_rad) &&
+           is_positive_or_zero(motor.max);
 }
 
 std::string fault_of_limits(const std::optional<std::array<Real, 2>>& limits,
@@ -83,6 +84,10 @@ MassPose mass_pose(const BodyRecord& record) {
 
 MassPose mass_pose_of_b(const JointRecord& joint) {
     return joint.b != nullptr ? mass_pose(*joint.b) : MassPose{};
+}
+
+double turn_of(const std::optional<JointMotor>& motor) {
+    return motor ? static_cast<double>(motor->turn_rad) : 0.0;
 }
 
 /// Error and position at the bodies' present poses.
@@ -256,6 +261,11 @@ JointView PhysicsWorld::joint(JointId id) const {
 void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
     JointRecord& joint = *state_->joints.get(id);
     if (!has_motor(joint.def.kind) || (motor && !is_good(*motor))) return;
+    if (joint.def.kind == JointKind::Slider) {
+        const double more_rad = turn_of(motor) - turn_of(joint.def.motor);
+        joint.solver.frame_in_b =
+            glm::normalize(joint.solver.frame_in_b * portable_angle_axis(more_rad, Vec3d{1, 0, 0}));
+    }
     joint.def.motor = motor;
     joint.solver.motor = motor;
     if (joint.bullet) joint.bullet->drive();

@@ -35,7 +35,7 @@ TEST(Medium, SilhouettesAndExtentsAreOfThePrincipalAxes) {
     EXPECT_NEAR(half.y, 0.2, 1e-3);
     EXPECT_NEAR(half.z, 0.3, 1e-3);
     EXPECT_NEAR(std::abs(mass_from_body(test.world, box).w), 1, 1e-6);
-    const Submersion below = submersion(test.world, box, {3, 2, 1}, {1, 0, 0, 0}, 2, {0, 1, 0});
+    const Submersion below = submersion(test.world, box, {{3, 2, 1}, {1, 0, 0, 0}}, 2, {0, 1, 0});
     EXPECT_NEAR(below.volume_m3, 0.024, 1e-6);
     EXPECT_NEAR(below.center_m.x, 3, 1e-6);
 }
@@ -62,13 +62,15 @@ TEST(Medium, BallsFindTheNearestPlaceOfABody) {
     TestWorld test;
     const Quatd straight{1, 0, 0, 0};
     const BodyId box = test.add(BoxShape{{2, 1, 2}}, {0, 5, 0}, {.kind = BodyKind::Static});
-    const auto above = ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 5.8, 0}, 0.1, 0.5);
+    const auto above =
+        ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 5.8, 0}, 0.1, 0.5);
     ASSERT_TRUE(above);
     EXPECT_NEAR(above->distance_m, 0.2, 1e-6);
     EXPECT_NEAR(above->normal.y, 1, 1e-6);
     EXPECT_NEAR(above->on_body_m.y, 5.5, 1e-6);
-    EXPECT_FALSE(ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 6.3, 0}, 0.1, 0.5));
-    const auto within = ball_contact(test.world, box, {0, 5, 0}, straight, {0.5, 5.4, 0}, 0.1, 0.5);
+    EXPECT_FALSE(ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 6.3, 0}, 0.1, 0.5));
+    const auto within =
+        ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 5.4, 0}, 0.1, 0.5);
     ASSERT_TRUE(within);
     EXPECT_NEAR(within->distance_m, -0.2, 1e-5);
     EXPECT_NEAR(within->normal.y, 1, 1e-6);
@@ -77,11 +79,13 @@ TEST(Medium, BallsFindTheNearestPlaceOfABody) {
                            .triangles = {{0, 2, 1}, {0, 3, 2}}},
                  {0, 1, 0},
                  {.kind = BodyKind::Static});
-    const auto over = ball_contact(test.world, mesh, {0, 1, 0}, straight, {0.5, 1.3, 0}, 0.1, 0.5);
+    const auto over =
+        ball_contact(test.world, mesh, {{0, 1, 0}, straight}, {0.5, 1.3, 0}, 0.1, 0.5);
     ASSERT_TRUE(over);
     EXPECT_NEAR(over->distance_m, 0.2, 1e-6);
     EXPECT_NEAR(over->normal.y, 1, 1e-6);
-    const auto under = ball_contact(test.world, mesh, {0, 1, 0}, straight, {0.5, 0.9, 0}, 0.1, 0.5);
+    const auto under =
+        ball_contact(test.world, mesh, {{0, 1, 0}, straight}, {0.5, 0.9, 0}, 0.1, 0.5);
     ASSERT_TRUE(under);
     EXPECT_NEAR(under->distance_m, -0.2, 1e-6);
     EXPECT_NEAR(under->normal.y, 1, 1e-6);

@@ -49,6 +49,39 @@ Vec2 opposing_impulse(const ContactConstraint& constraint, const Vec2& slip) {
     return along > 0 ? slip * (glm::dot(slip, slip) / along) : Vec2{0, 0};
 }
 
+/// What a stop would take, of a force or of a twist over its arm, and what each unit of it changes of the motion there.
+struct Wanted {
+    Real size;
+    Real weight;
+};
+struct Kept {
+    Real of_force;
+    Real of_twist;
+};
+
+/// The nearest to what is wanted, measured by the motion it leaves, whose squares sum to the limit's: a wheel that turns as it rolls
+/// gives up its twist, and not what holds it sideways.
+Kept within_limit(Real limit, const Wanted& force, const Wanted& twist) {
+    constexpr int kRounds = 4;
+    const auto size_of = [](Real f, Real u) { return std::sqrt(f * f + u * u); };
+    // Sizes over 1 + x / weight: one over the root of the sum of their squares is all but linear in x (More and Sorensen,
+    // Computing a trust region step, 1983).
+    Kept kept{1, 1};
+    const bool has_twist = twist.size > 0 && std::isfinite(twist.weight);
+    Real x = 0;
+    for (int round = 0; has_twist && round < kRounds; ++round) {
+        const Real f = force.size * kept.of_force;
+        const Real u = twist.size * kept.of_twist;
+        const Real slope = f * f / (force.weight + x) + u * u / (twist.weight + x);
+        if (!(slope > 0 && limit > 0)) break;
+        x = std::max(x + (f * f + u * u) / slope * (size_of(f, u) / limit - 1), Real{0});
+        kept = {force.weight / (force.weight + x), twist.weight / (twist.weight + x)};
+    }
+    const Real size = size_of(force.size * kept.of_force, twist.size * kept.of_twist);
+    const Real exact = size > 0 ? limit / size : Real{0};
+    return {kept.of_force * exact, kept.of_twist * exact};
+}
+
 }  // namespace
 
 /// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
@@ -80,11 +113,15 @@ FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     const bool slides = used_by(next) > limit * limit;
     if (slides) {
         next = before - opposing_impulse(constraint, slip);
-        const Real used = used_by(next);
-        if (used > limit * limit) {
-            const Real kept = limit / std::sqrt(used);
-            next *= kept;
-            twist *= kept;
+        if (used_by(next) > limit * limit) {
+            const Real arm_m = constraint.twist_arm_m;
+            const Kept kept = within_limit(
+                limit,
+                {glm::length(next),
+                 (constraint.slip_response[0] + constraint.slip_response[1]) / 2},
+                {std::abs(twist_share) * limit, arm_m * arm_m / constraint.twist_mass});
+            next *= kept.of_force;
+            twist *= kept.of_twist;
         }
     }
     const Vec3 force =

@@ -84,6 +84,13 @@ void JointBound::after_motion(double substep_s) {
     fastest = std::max((upper - position) / substep_s, 0.0);
 }
 
+void JointBound::start_motor(double speed) {
+    if (step != BoundStep::Driven) return;
+    const double wanted = mass * (motor_speed - speed);
+    if (std::abs(wanted) <= motor_impulse) return;
+    step = wanted > 0 ? BoundStep::Forward : BoundStep::Backward;
+}
+
 bool JointBound::ease_push(double more) {
     constexpr double kEnough = 1.01;
     const bool pushes = (step == BoundStep::Lower && slowest > 0) ||

@@ -60,6 +60,8 @@ struct JointBound {
     void before_motion(double substep_s);
     /// Sets the speeds after the motion: what is past a limit only has to stop.
     void after_motion(double substep_s);
+    /// A motor that the row by itself, at this speed, is out of reach of begins with all it has. What it drives may be far heavier.
+    void start_motor(double speed);
     /// Slows down what brings a passed limit back, once in a sub-step, if the impulse beside
     /// `impulse` that it takes would give too much energy. Whether it did.
     bool ease_push(double more);

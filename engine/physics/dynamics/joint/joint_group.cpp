@@ -68,6 +68,7 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
     for (JointBound& bound : bounds) {
         read_bound(bound, *this);
         bound.after_motion(substep_s);
+        bound.start_motor(rows[bound.node].speeds(bodies)[bound.row]);
         set_active(bound);
     }
     residual.clear();

@@ -59,5 +59,34 @@ TEST(ContactFriction, StopsInOneSweepWhatSticks) {
     EXPECT_LT(glm::length(body.friction_Ns()), 10 * 0.01);
 }
 
+// What turns about the normal faster than friction can stop gives up its twist, and not what holds it sideways.
+TEST(ContactFriction, ASpinThatNothingStopsLeavesTheForceThatHolds) {
+    Sliding body({0.002_r, 0, 0}, 0.5_r);
+    ContactConstraint& contact = body.contacts.constraints[0];
+    contact.count = 2;
+    contact.normal_Ns[1] = contact.normal_Ns[0];
+    set_lane(contact.offset_a, 0, {0, -0.5_r, 0.01_r});
+    set_lane(contact.offset_a, 1, {0, -0.5_r, -0.01_r});
+    body.bodies[1].inverse_inertia = {.xx = 1, .yy = 1, .zz = 1};
+    body.contacts.begin_step(body.bodies, {});
+    for (int sweep = 0; sweep < 10; ++sweep) {
+        body.bodies[1].spin_radps.y = 3;
+        body.bodies[1].velocity_mps.x -= 0.0002_r;  // a steady pull
+        body.contacts.relax(ContactSet::Sweep::All);
+    }
+    const Vec3d friction_Ns = body.friction_Ns();
+    EXPECT_LT(std::abs(body.slip().x), 2e-4);
+    EXPECT_GT(std::abs(contact.twist_Nms), 0.9 * 0.01 * 0.01 * 0.5 * 2);
+    EXPECT_LE(glm::length(friction_Ns), 0.5 * 0.02);
+}
+
+TEST(ContactFriction, WithoutALoadNothingHolds) {
+    Sliding body({1, 0, 1}, 0);
+    body.contacts.constraints[0].twist_Nms = 1e-3_r;
+    body.contacts.relax(ContactSet::Sweep::All);
+    EXPECT_EQ(body.friction_Ns(), (Vec3d{0, 0, 0}));
+    EXPECT_TRUE(std::isfinite(body.contacts.constraints[0].twist_Nms));
+}
+
 }  // namespace
 }  // namespace plumbline::physics

@@ -1,4 +1,6 @@
 // Limits and motors.
+#include "engine/physics/dynamics/joint/joint_bounds.h"
+
 #include "tests/engine/physics/dynamics/joint/joint_rig.h"
 
 #include <gtest/gtest.h>
@@ -269,6 +271,18 @@ TEST(JointBounds, WheelOnAMotorAt300RadiansPerSecondRunsTrue) {
     EXPECT_NEAR(rig.spin(wheel).z, 300, 1e-3);
     EXPECT_LT(rig.max_error(), 1e-5);
     EXPECT_NEAR(rig.position(block).x, 0, 1e-4);
+}
+
+TEST(JointBound, AMotorFarFromItsSpeedBeginsWithAllItHas) {
+    JointBound bound{.step = BoundStep::Driven, .motor_speed = 1e4, .motor_impulse = 2, .mass = 1};
+    bound.start_motor(0);
+    EXPECT_EQ(bound.step, BoundStep::Forward);
+    bound.step = BoundStep::Driven;
+    bound.start_motor(2e4);
+    EXPECT_EQ(bound.step, BoundStep::Backward);
+    bound.step = BoundStep::Driven;
+    bound.start_motor(1e4 - 1);
+    EXPECT_EQ(bound.step, BoundStep::Driven) << "in reach";
 }
 
 }  // namespace
