@@ -85,10 +85,10 @@ KNOWN_RED = {
     "D13": [
         ("lowest_m at least 0", None,
          "a plate that bounced to 4 m lands on one corner, slides over the open end of the last roof and falls"),
-        ("penetration_m at most 0.1", 0.121, "the same, as it passes the rim"),
+        ("penetration_m at most 0.1", 0.871, "the same, as it passes the rim"),
         ("speed_mps at most 0.002, from 8 s", None, "the same"),
         ("removed at most 0", 1, "the same"),
-        ("penetration_m at most 0.002", 0.121, "the same"),
+        ("penetration_m at most 0.002", 0.871, "the same"),
     ],
     "D14": [
         ("sag_m of large.0.63.0 at most 0.001", 0.0927,
@@ -153,6 +153,8 @@ A looser limit is a commit of its own that says so, and a line here.
 | `garden_test.cpp`, the front door that a thrown crate opens | turns faster than 4.53 rad/s | than 3.92, and slower than 5.28 | the first number left the crate's own inertia out: a crate that meets the leaf flat turns with it |
 | `contact_region_test.cpp`, points of one contact | 4 at most, over 55 % of the area | 8 at most, over 78 %; of a cylinder over an edge 5, of resting prisms 8 | corners beyond the four are kept (`point_choice.h`) |
 | H17, known red: penetration | reaches 8.8 mm | 9.02 mm | other impacts than before, as they reach the ground within a sub-step |
+| D13, known red: penetration | reaches 0.121 m | 0.871 m | the plate that falls off the open end passes the rim at another angle, as friction that spins keeps more of its force |
+| H17 at 30 Hz in double precision, known red: penetration (`known_red_hard_cases.cpp`) | reaches 1.58 m | 1.64 m | other dominoes as they land, for the same reason |
 | H66, known red: braked share | reaches 48.9 | 54.9 | balls on one spot: other impacts than before, as they reach the ground within a sub-step |
 
 ## What is not here
