@@ -78,6 +78,7 @@ struct EffectRow {
     ROW(rope, Step)                 \
     ROW(cloth, Step)                \
     ROW(soft, Step)                 \
+    ROW(vehicles, Step)             \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
     ROW(contact_events, Step)

@@ -74,10 +74,12 @@ struct PartBodies {
 /// Its surface moves along itself; the physics knows how.
 struct Belt {};
 
-/// A piece of a rope: the rope stands for it in reports.
-struct RopePiece {
-    std::uint32_t rope{0};  ///< in Simulation::ropes()
-    bool stopped{false};    ///< frozen while ropes are switched off
+/// A piece of a rope, a wheel or its hub: the whole stands for it in reports.
+struct PartOf {
+    enum class Whole : std::uint8_t { Rope, Vehicle };
+    Whole whole{Whole::Rope};
+    std::uint32_t index{0};  ///< in Simulation::ropes() or vehicles()
+    bool stopped{false};     ///< frozen while their effect is switched off
 };
 
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.

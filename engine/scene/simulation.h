@@ -12,6 +12,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
+#include "engine/scene/environment/vehicle.h"
 #include "engine/scene/environment/wave_field.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/surfaces.h"
@@ -235,6 +236,13 @@ public:
     /// Both ends and where its pieces meet, from a to b.
     std::vector<Vec3d> points_of(const Rope& rope) const;
 
+    std::span<Vehicle> vehicles() { return bodies_.vehicles; }
+    std::span<const Vehicle> vehicles() const { return bodies_.vehicles; }
+    /// Makes its wheels and what holds them; as add_joint().
+    Result<Done> add_vehicle(const VehicleDescription& description);
+    /// Against its hub; forward positive.
+    double spin_radps(const Wheel& wheel) const;
+
     std::span<SceneDeformable> cloths() { return bodies_.cloths; }
     std::span<const SceneDeformable> cloths() const { return bodies_.cloths; }
     std::span<SceneDeformable> softs() { return bodies_.softs; }
@@ -284,6 +292,7 @@ private:
         std::vector<Rope> ropes;
         std::vector<SceneDeformable> cloths;
         std::vector<SceneDeformable> softs;
+        std::vector<Vehicle> vehicles;
         bool any_destroyed{false};  ///< since `moving` was cleared of them
     };
     struct MassRatio {
@@ -303,6 +312,10 @@ private:
     Result<Done> join_rope(const RopeDescription& description,
                            const RopeLayout& layout,
                            Rope& rope);
+    Result<Done> join_wheel(const WheelDescription& description,
+                            double load_N,
+                            physics::BodyId chassis,
+                            Wheel& wheel);
     Vec3 anchor_in(physics::BodyId end, const Vec3& anchor_world) const;
     std::string name_of_joint(physics::JointId joint) const;
     void report_broken_joints();
@@ -338,6 +351,9 @@ constexpr std::uint64_t mark_of(ecs::Entity entity) {
 /// The mark that its joints carry (JointDef::user).
 constexpr std::uint64_t mark_of_rope(std::size_t rope) {
     return (std::uint64_t{1} << 40U) + rope;
+}
+constexpr std::uint64_t mark_of_vehicle(std::size_t vehicle) {
+    return (std::uint64_t{1} << 41U) + vehicle;
 }
 
 /// Where a body on a path is at a time since the start. Exact in its points at the times of rest.

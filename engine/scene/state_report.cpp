@@ -55,7 +55,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
     json.key("bodies").begin_array();
     for (const MovingBody& moving : simulation.moving_bodies()) {
         if (!simulation.physics.contains(moving.body)) continue;
-        if (simulation.registry.has<RopePiece>(moving.entity)) continue;
+        if (simulation.registry.has<PartOf>(moving.entity)) continue;
         const physics::BodyState state = simulation.physics.state(moving.body);
         const Quat& q = state.world_from_body.orientation;
         json.begin_object();
@@ -126,6 +126,54 @@ void add_ropes(JsonText& json, const Simulation& simulation) {
             return !simulation.physics.contains(joint) ||
                    simulation.physics.joint(joint).state.broken;
         }));
+        json.end_object();
+    }
+    json.end_array();
+}
+
+/// What presses a wheel, along the chassis' up; and whether anything does.
+double load_N(const Simulation& simulation,
+              std::span<const physics::ContactEvent> contacts,
+              physics::BodyId wheel,
+              const Vec3& up,
+              bool& on_ground) {
+    double sum_Ns = 0;
+    for (const physics::ContactEvent& contact : contacts) {
+        if (contact.a != wheel && contact.b != wheel) continue;
+        on_ground = true;
+        const Real share = glm::dot(contact.normal_world, up);
+        sum_Ns += static_cast<double>(contact.impulse_Ns * (contact.a == wheel ? share : -share));
+    }
+    return sum_Ns / simulation.step_s();
+}
+
+void add_vehicles(JsonText& json, const Simulation& simulation) {
+    const std::vector<physics::ContactEvent> contacts = simulation.vehicles().empty()
+                                                            ? std::vector<physics::ContactEvent>{}
+                                                            : all_contacts(simulation.physics);
+    json.key("vehicles").begin_array();
+    for (const Vehicle& vehicle : simulation.vehicles()) {
+        if (!simulation.physics.contains(vehicle.chassis)) continue;
+        const physics::BodyState chassis = simulation.physics.state(vehicle.chassis);
+        const Quat& turned = chassis.world_from_body.orientation;
+        json.begin_object();
+        json.key("name").text(vehicle.name);
+        json.key("speed_mps").number(glm::dot(chassis.velocity_mps, turned * Vec3{0, 0, -1}));
+        json.key("wheels").begin_array();
+        for (const Wheel& wheel : vehicle.wheels) {
+            if (!simulation.physics.contains(wheel.body)) continue;
+            bool on_ground = false;
+            const double pressed_N =
+                load_N(simulation, contacts, wheel.body, turned * Vec3{0, 1, 0}, on_ground);
+            json.begin_object();
+            json.key("on_ground").boolean(on_ground);
+            json.key("spin_radps").number(simulation.spin_radps(wheel));
+            json.key("load_N").number(pressed_N);
+            json.key("position_m")
+                .vector(simulation.physics.state(wheel.body).world_from_body.position);
+            json.end_object();
+        }
+        json.end_array();
         json.end_object();
     }
     json.end_array();
@@ -308,6 +356,7 @@ std::string state_json(const Simulation& simulation,
     add_joints(json, simulation);
     add_islands(json, simulation);
     add_ropes(json, simulation);
+    add_vehicles(json, simulation);
     add_cloths(json, simulation);
     add_softs(json, simulation);
     add_waters(json, simulation);

@@ -1,6 +1,7 @@
 // Ropes. Their pieces are bodies that the physics solves; this row switches them.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/effects/physics/parts.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
 namespace plumbline::effects {
@@ -18,9 +19,9 @@ public:
         awake_.assign(simulation.ropes().size(), false);
         for (const scene::MovingBody& moving : simulation.moving_bodies()) {
             if (!moving.awake) continue;
-            const auto* piece = simulation.registry.find<scene::RopePiece>(moving.entity);
-            if (piece == nullptr) continue;
-            awake_[piece->rope] = true;
+            const auto* piece = simulation.registry.find<scene::PartOf>(moving.entity);
+            if (piece == nullptr || piece->whole != scene::PartOf::Whole::Rope) continue;
+            awake_[piece->index] = true;
             ++work_.calls;
         }
         const auto& described = simulation.description().forces.ropes;
@@ -42,16 +43,7 @@ private:
         }
     }
 
-    void stop(bool stopped) {
-        simulation_.registry.view<scene::RopePiece, const scene::BodyRef>().each(
-            [&](ecs::Entity, scene::RopePiece& piece, const scene::BodyRef& ref) {
-                if (piece.stopped == stopped) return;
-                // What a player froze stays so.
-                if (stopped && simulation_.physics.state(ref.body).frozen) return;
-                piece.stopped = stopped;
-                simulation_.physics.set_frozen(ref.body, stopped);
-            });
-    }
+    void stop(bool stopped) { stop_parts(simulation_, scene::PartOf::Whole::Rope, stopped); }
 
     scene::Simulation& simulation_;
     std::vector<bool> awake_;  // by rope

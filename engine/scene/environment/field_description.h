@@ -6,6 +6,7 @@
 #include "engine/scene/environment/cloth_description.h"
 #include "engine/scene/environment/rope_description.h"
 #include "engine/scene/environment/soft_description.h"
+#include "engine/scene/environment/vehicle_description.h"
 #include "engine/scene/screen_effects_description.h"
 
 #include <cstdint>
@@ -80,6 +81,7 @@ struct FieldFidelity {
     Fidelity rope{Fidelity::Balanced};
     Fidelity cloth{Fidelity::Balanced};
     Fidelity soft{Fidelity::Balanced};
+    Fidelity vehicles{Fidelity::Balanced};
 };
 
 /// What pushes and pulls bodies beside gravity, contacts and joints.
@@ -92,6 +94,7 @@ struct ForceDescription {
     std::vector<RopeDescription> ropes{};
     std::vector<ClothDescription> cloths{};
     std::vector<SoftDescription> softs{};
+    std::vector<VehicleDescription> vehicles{};
     FieldFidelity fidelity{};
 };
 

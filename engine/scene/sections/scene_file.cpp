@@ -66,6 +66,7 @@ public:
         read_ropes(root, scene_, context_);
         read_cloths(root, scene_, context_);
         read_softs(root, scene_, context_);
+        read_vehicles(root, scene_, context_);
         read_views(root, scene_);
         read_hard_case(root, scene_, context_);
         read_goal(root, scene_, context_);

@@ -156,6 +156,9 @@ void read_cloths(TableReader& root, SceneDescription& scene, LoadContext& contex
 // --- fields/scene_softs.cpp
 void read_softs(TableReader& root, SceneDescription& scene, LoadContext& context);
 
+// --- fields/scene_vehicles.cpp
+void read_vehicles(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- scene_views.cpp
 void read_views(TableReader& root, SceneDescription& scene);
 

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 19> kEffects{"sun_shadow",
                                                     "contact_events",
                                                     "grass",
                                                     "flock"};
-constexpr std::array<std::string_view, 2> kEffectsToCome{"fracture", "vehicles"};
+constexpr std::array<std::string_view, 1> kEffectsToCome{"fracture"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
@@ -121,7 +121,7 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         scene.effect_settings.emplace(name, settings->location());
     }
     FieldFidelity& fields = scene.forces.fidelity;
-    const std::array<std::pair<std::string_view, Fidelity*>, 15> with_fidelity{
+    const std::array<std::pair<std::string_view, Fidelity*>, 16> with_fidelity{
         {{"wind", &fields.wind},
          {"drag", &fields.drag},
          {"buoyancy", &fields.buoyancy},
@@ -132,6 +132,7 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
          {"rope", &fields.rope},
          {"cloth", &fields.cloth},
          {"soft", &fields.soft},
+         {"vehicles", &fields.vehicles},
          {"fountain", &scene.fountain_fidelity},
          {"ambient_occlusion", &scene.screen_fidelity.occlusion},
          {"sun_shafts", &scene.screen_fidelity.shafts},

@@ -188,6 +188,10 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = simulation->add_soft(soft);
         if (!made) return made.error();
     }
+    for (const VehicleDescription& vehicle : description.forces.vehicles) {
+        const Result<Done> made = simulation->add_vehicle(vehicle);
+        if (!made) return made.error();
+    }
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
     warn_of_overlaps(*simulation);

@@ -67,8 +67,8 @@ void serialize_fields(Archive& archive, PointLight& light) {
 void serialize_fields(Archive& archive, TriggerVolume& volume) {
     archive(volume.times_left, volume.inside);
 }
-void serialize_fields(Archive& archive, RopePiece& piece) {
-    archive(piece.stopped);
+void serialize_fields(Archive& archive, PartOf& part) {
+    archive(part.stopped);
 }
 void serialize_fields(Archive& archive, Dropped& dropped) {
     archive(dropped.serial);
@@ -207,7 +207,7 @@ void SimulationArchive::serialize_components() {
                      ContactAppearance,
                      TriggerVolume,
                      MotionPath,
-                     RopePiece,
+                     PartOf,
                      Spawned,
                      Dropped>(archive_, simulation_.registry);
     if (archive_.failed()) return;
@@ -216,7 +216,7 @@ void SimulationArchive::serialize_components() {
                      PlayingModel,
                      PointLight,
                      TriggerVolume,
-                     RopePiece,
+                     PartOf,
                      Dropped>(archive_, simulation_.registry);
     simulation_.registry.serialize_slots(archive_);
 }
@@ -246,6 +246,12 @@ void SimulationArchive::serialize_joints() {
     for (SceneJoint& joint : simulation_.bodies_.joints) archive_(joint.joint);
     for (Rope& rope : simulation_.bodies_.ropes) {
         for (physics::JointId& joint : rope.joints) archive_(joint);
+    }
+    for (Vehicle& vehicle : simulation_.bodies_.vehicles) {
+        VehicleControls& controls = vehicle.controls;
+        archive_(vehicle.chassis, controls.throttle, controls.brake, controls.steer_rad);
+        for (Wheel& wheel : vehicle.wheels)
+            archive_(wheel.body, wheel.hub, wheel.strut, wheel.axle);
     }
 }
 

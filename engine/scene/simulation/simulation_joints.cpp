@@ -69,6 +69,10 @@ std::string Simulation::name_of_joint(physics::JointId joint) const {
     for (std::size_t i = 0; i < bodies_.ropes.size(); ++i) {
         if (mark == mark_of_rope(i)) return "rope " + bodies_.ropes[i].name;
     }
+    for (const Vehicle& vehicle : bodies_.vehicles) {
+        if (mark == mark_of_vehicle(static_cast<std::size_t>(&vehicle - bodies_.vehicles.data())))
+            return "vehicle " + vehicle.name;
+    }
     return "joint of the game";
 }
 

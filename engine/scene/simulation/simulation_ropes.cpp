@@ -105,8 +105,9 @@ Result<Done> Simulation::add_rope(const RopeDescription& description) {
         const Result<ecs::Entity> made =
             builder_->build(piece, fmt::format("{}.{}", rope.name, rope.pieces.size()));
         if (!made) return made.error();
-        registry.add<RopePiece>(
-            *made, RopePiece{.rope = static_cast<std::uint32_t>(bodies_.ropes.size())});
+        registry.add<PartOf>(*made,
+                             PartOf{.whole = PartOf::Whole::Rope,
+                                    .index = static_cast<std::uint32_t>(bodies_.ropes.size())});
         rope.pieces.push_back(registry.get<BodyRef>(*made).body);
         const auto made_so_far = static_cast<int>(rope.pieces.size());
         const bool next_to_world = (description.a == "world" && made_so_far <= kHeldPieces) ||

@@ -75,6 +75,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "rope",
                                                  "cloth",
                                                  "soft",
+                                                 "vehicles",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

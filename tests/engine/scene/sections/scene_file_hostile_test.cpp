@@ -69,15 +69,16 @@ TEST_F(SceneFileHostile, DeepNesting) {
     // One less is the parser's and the reader's business.
     const Outcome deepest =
         load("a = " + repeated("[", limits::kTextNesting) + repeated("]", limits::kTextNesting));
-    expect_only(deepest,
-                "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
-                "cloth, effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, "
-                "hard_case, "
-                "joint, "
-                "material, "
-                "player, post, prefab, rope, scene, sky, soft, sound, sun, time, view, water, "
-                "wind, wind_zone, "
-                "world");
+    expect_only(
+        deepest,
+        "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
+        "cloth, effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, "
+        "hard_case, "
+        "joint, "
+        "material, "
+        "player, post, prefab, rope, scene, sky, soft, sound, sun, time, vehicle, view, water, "
+        "wind, wind_zone, "
+        "world");
 }
 
 TEST_F(SceneFileHostile, ManyDottedParts) {
