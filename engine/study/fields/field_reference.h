@@ -38,6 +38,7 @@ std::span<const FieldReference> blast_references();
 std::span<const FieldReference> rope_references();
 std::span<const FieldReference> cloth_references();
 std::span<const FieldReference> soft_references();
+std::span<const FieldReference> vehicle_references();
 
 /// All of them, in the order of the effects' names.
 std::vector<FieldReference> field_references();

@@ -23,6 +23,7 @@ std::vector<FieldReference> field_references() {
                                blast_references(),
                                rope_references(),
                                soft_references(),
+                               vehicle_references(),
                                magnet_references()})
         all.insert(all.end(), family.begin(), family.end());
     return all;
