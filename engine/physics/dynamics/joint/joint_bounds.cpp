@@ -40,6 +40,40 @@ void recall(JointBound& bound, const SolverJoint& joint) {
     if (has_upper && kept(bound.upper_slot) < 0) bound.step = BoundStep::Upper;
 }
 
+/// The motor pushes on with all it has where the limit is slower than it wants to be.
+BoundStep after_lower(const JointBound& bound, double slack) {
+    const double pushing =
+        bound.motor_speed > bound.slowest ? bound.motor_impulse : -bound.motor_impulse;
+    if (bound.impulse >= pushing - slack) return BoundStep::Lower;
+    if (!(bound.motor_impulse > 0) || bound.motor_speed <= bound.slowest)
+        return BoundStep::Backward;
+    return bound.motor_speed <= bound.fastest ? BoundStep::Driven : BoundStep::Upper;
+}
+
+BoundStep after_upper(const JointBound& bound, double slack) {
+    const double pushing =
+        bound.motor_speed < bound.fastest ? -bound.motor_impulse : bound.motor_impulse;
+    if (bound.impulse <= pushing + slack) return BoundStep::Upper;
+    if (!(bound.motor_impulse > 0) || bound.motor_speed >= bound.fastest) return BoundStep::Forward;
+    return bound.motor_speed >= bound.slowest ? BoundStep::Driven : BoundStep::Lower;
+}
+
+BoundStep after_driven(const JointBound& bound, double slack) {
+    if (bound.motor_speed < bound.slowest) return BoundStep::Lower;
+    if (bound.motor_speed > bound.fastest) return BoundStep::Upper;
+    if (bound.impulse > bound.motor_impulse + slack) return BoundStep::Forward;
+    if (bound.impulse < -bound.motor_impulse - slack) return BoundStep::Backward;
+    return BoundStep::Driven;
+}
+
+BoundStep after_constant(const JointBound& bound, double speed) {
+    if (speed < bound.slowest - kSameSpeed) return BoundStep::Lower;
+    if (speed > bound.fastest + kSameSpeed) return BoundStep::Upper;
+    const bool reached = bound.step == BoundStep::Forward ? speed > bound.motor_speed + kSameSpeed
+                                                          : speed < bound.motor_speed - kSameSpeed;
+    return bound.motor_impulse > 0 && reached ? BoundStep::Driven : bound.step;
+}
+
 }  // namespace
 
 double JointBound::wanted_speed() const {
@@ -108,51 +142,16 @@ bool JointBound::ease_push(double more) {
 }
 
 bool JointBound::update_step(double speed) {
-    const double slack = mass * kSameSpeed;
     const BoundStep before = step;
-    const bool has_motor = motor_impulse > 0;
-    switch (step) {
-        case BoundStep::Locked:
-            break;
-        case BoundStep::Lower:
-            // The motor pushes on with all it has where the limit is slower than it wants to be.
-            if (impulse < (motor_speed > slowest ? motor_impulse : -motor_impulse) - slack) {
-                step = !has_motor || motor_speed <= slowest ? BoundStep::Backward
-                       : motor_speed <= fastest             ? BoundStep::Driven
-                                                            : BoundStep::Upper;
-            }
-            break;
-        case BoundStep::Upper:
-            if (impulse > (motor_speed < fastest ? -motor_impulse : motor_impulse) + slack) {
-                step = !has_motor || motor_speed >= fastest ? BoundStep::Forward
-                       : motor_speed >= slowest             ? BoundStep::Driven
-                                                            : BoundStep::Lower;
-            }
-            break;
-        case BoundStep::Driven:
-            if (motor_speed < slowest) {
-                step = BoundStep::Lower;
-            } else if (motor_speed > fastest) {
-                step = BoundStep::Upper;
-            } else if (impulse > motor_impulse + slack) {
-                step = BoundStep::Forward;
-            } else if (impulse < -motor_impulse - slack) {
-                step = BoundStep::Backward;
-            }
-            break;
-        case BoundStep::Forward:
-        case BoundStep::Backward:
-            if (speed < slowest - kSameSpeed) {
-                step = BoundStep::Lower;
-            } else if (speed > fastest + kSameSpeed) {
-                step = BoundStep::Upper;
-            } else if (has_motor &&
-                       (step == BoundStep::Forward ? speed > motor_speed + kSameSpeed
-                                                   : speed < motor_speed - kSameSpeed)) {
-                step = BoundStep::Driven;
-            }
-            break;
-    }
+    const double slack = mass * kSameSpeed;
+    if (step == BoundStep::Lower)
+        step = after_lower(*this, slack);
+    else if (step == BoundStep::Upper)
+        step = after_upper(*this, slack);
+    else if (step == BoundStep::Driven)
+        step = after_driven(*this, slack);
+    else if (step != BoundStep::Locked)
+        step = after_constant(*this, speed);
     return step != before;
 }
 
