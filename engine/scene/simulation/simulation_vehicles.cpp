@@ -1,4 +1,5 @@
 // The vehicles of a running scene: wheels as bodies of their own, on sprung hubs.
+#include "engine/physics/force_field.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/vehicle_layout.h"
 #include "engine/scene/sections/scene_parts.h"
@@ -15,6 +16,8 @@ namespace {
 /// Of a wheel's mass: what does not turn with it.
 constexpr double kHubShare = 0.2;
 constexpr double kHubRadius_m = 0.02;
+/// Of what they carry: lighter wheels stick as they roll.
+constexpr double kLightest = 0.01;
 /// Least sub-steps of its bodies at draft, balanced and precise.
 constexpr std::array kSubsteps{0, 4, 16};
 /// The spring's other end: as far above the hub.
@@ -98,6 +101,24 @@ EntityDescription wheel_of(EntityDescription part,
     return part;
 }
 
+/// What is to be said of a wheel that is too light for its load; empty: nothing.
+std::string light_wheel_of(const VehicleDescription& vehicle, const std::vector<double>& loads_N) {
+    for (std::size_t i = 0; i < loads_N.size(); ++i) {
+        const double carried_kg = loads_N[i] / physics::kStandardGravity_mps2;
+        const double least_kg = kLightest * carried_kg;
+        if (vehicle.wheels[i].mass_kg >= least_kg) continue;
+        return fmt::format(
+            "{}: vehicle {}: a wheel of {:g} kg carries {:.0f} kg and may stick as it rolls; "
+            "make it {:.2g} kg or more",
+            to_string(vehicle.location),
+            vehicle.name,
+            vehicle.wheels[i].mass_kg,
+            carried_kg,
+            least_kg);
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<Done> Simulation::add_vehicle(const VehicleDescription& description) {
@@ -140,6 +161,8 @@ Result<Done> Simulation::add_vehicle(const VehicleDescription& description) {
         if (!joined) return refuse(joined.error());
         vehicle.wheels.push_back(made);
     }
+    if (std::string light = light_wheel_of(description, loads_N); !light.empty())
+        warnings.push_back(std::move(light));
     bodies_.vehicles.push_back(std::move(vehicle));
     return Done{};
 }

@@ -35,6 +35,17 @@ TEST(SimulationVehicles, RollWithoutLoss) {
     for (const Wheel& wheel : cart.wheels) EXPECT_NEAR(run->spin_radps(wheel), 5 / 0.35, 0.02);
 }
 
+TEST(SimulationVehicles, WheelsTooLightForTheirLoadAreNamed) {
+    SceneDescription scene = test::cart_at(0);
+    scene.forces.vehicles.front().location = in_file("test.toml", 30);
+    scene.forces.vehicles.front().wheels[1].mass_kg = 0.1;
+    test::Running run(scene);
+    ASSERT_EQ(run->warnings.size(), 1U);
+    EXPECT_EQ(run->warnings[0],
+              "test.toml:30: vehicle cart: a wheel of 0.1 kg carries 100 kg and may stick as it "
+              "rolls; make it 1 kg or more");
+}
+
 // What nobody holds rolls on by itself.
 TEST(SimulationVehicles, LoseAWheelAndItsHub) {
     test::Running run(test::cart_at(5));
