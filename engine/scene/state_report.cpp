@@ -73,9 +73,11 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
     json.end_array();
 }
 
-void add_contacts(JsonText& json, const Simulation& simulation) {
+void add_contacts(JsonText& json,
+                  const Simulation& simulation,
+                  std::span<const physics::ContactEvent> contacts) {
     json.key("contacts").begin_array();
-    for (const physics::ContactEvent& contact : all_contacts(simulation.physics)) {
+    for (const physics::ContactEvent& contact : contacts) {
         json.begin_object();
         json.key("a").text(name_of_mark(simulation, contact.user_a));
         json.key("b").text(name_of_mark(simulation, contact.user_b));
@@ -147,10 +149,9 @@ double load_N(const Simulation& simulation,
     return sum_Ns / simulation.step_s();
 }
 
-void add_vehicles(JsonText& json, const Simulation& simulation) {
-    const std::vector<physics::ContactEvent> contacts = simulation.vehicles().empty()
-                                                            ? std::vector<physics::ContactEvent>{}
-                                                            : all_contacts(simulation.physics);
+void add_vehicles(JsonText& json,
+                  const Simulation& simulation,
+                  std::span<const physics::ContactEvent> contacts) {
     json.key("vehicles").begin_array();
     for (const Vehicle& vehicle : simulation.vehicles()) {
         if (!simulation.physics.contains(vehicle.chassis)) continue;
@@ -352,11 +353,12 @@ std::string state_json(const Simulation& simulation,
     for (const std::string& warning : simulation.warnings) json.text(warning);
     json.end_array();
     add_bodies(json, simulation);
-    add_contacts(json, simulation);
+    const std::vector<physics::ContactEvent> contacts = all_contacts(simulation.physics);
+    add_contacts(json, simulation, contacts);
     add_joints(json, simulation);
     add_islands(json, simulation);
     add_ropes(json, simulation);
-    add_vehicles(json, simulation);
+    add_vehicles(json, simulation, contacts);
     add_cloths(json, simulation);
     add_softs(json, simulation);
     add_waters(json, simulation);

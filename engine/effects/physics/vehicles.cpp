@@ -65,7 +65,7 @@ private:
         // Forward is a turn to the left about the axle, which points to the right.
         set_motor(simulation.physics,
                   wheel.axle,
-                  {.target = static_cast<Real>(drive.max_Nm > 0 ? -drive.target_radps : 0.0),
+                  {.target = static_cast<Real>(-drive.target_radps),
                    .max = static_cast<Real>(drive.max_Nm)});
     }
 

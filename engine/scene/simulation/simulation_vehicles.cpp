@@ -42,7 +42,7 @@ Quat cylinder_as_wheel() {
     return portable_angle_axis(glm::half_pi<Real>(), Vec3{0, 0, 1});
 }
 
-/// At the place of its chassis, as it moves along with it. What `make` says of it is left.
+/// What hub and wheel have in common: at its place in the chassis, and moving along with it.
 EntityDescription part_of(const VehicleDescription& vehicle,
                           const WheelDescription& wheel,
                           const physics::BodyState& chassis) {
@@ -54,11 +54,8 @@ EntityDescription part_of(const VehicleDescription& vehicle,
     BodyDescription body;
     body.restitution = Real{0};
     body.group = "(vehicles)";
-    const Vec3 arm = part.world_from_body.position - chassis.center_of_mass_world();
-    const Vec3 center_mps = chassis.velocity_mps + glm::cross(chassis.angular_velocity_radps,
-                                                              chassis.center_of_mass_world() -
-                                                                  chassis.world_from_body.position);
-    body.velocity_mps = center_mps + glm::cross(chassis.angular_velocity_radps, arm);
+    const Vec3 arm = part.world_from_body.position - chassis.world_from_body.position;
+    body.velocity_mps = chassis.velocity_mps + glm::cross(chassis.angular_velocity_radps, arm);
     body.angular_velocity_radps = chassis.angular_velocity_radps;
     part.body = body;
     return part;
