@@ -79,6 +79,7 @@ struct EffectRow {
     ROW(cloth, Step)                \
     ROW(soft, Step)                 \
     ROW(vehicles, Step)             \
+    ROW(fracture, Step)             \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
     ROW(contact_events, Step)

@@ -82,6 +82,14 @@ struct PartOf {
     bool stopped{false};     ///< frozen while their effect is switched off
 };
 
+/// It can break, or is what is left of something that did.
+struct Fragile {
+    std::uint32_t whole{0};             ///< in Simulation::wholes()
+    std::vector<std::uint32_t> pieces;  ///< of the whole's pattern; ascending
+    std::vector<std::uint32_t>
+        cracked;  ///< of the pattern's bonds: those that carry nothing any more
+};
+
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
 struct SurfaceRef {
     std::uint16_t surface{0};

@@ -193,6 +193,7 @@ struct BodyDescription {
     bool avoids_own_group{false};            ///< ... but what is in its own
     std::optional<Drag> drag{};
     std::optional<Magnet> magnet{};
+    std::optional<FractureDescription> fracture{};
     Vec3 surface_velocity_mps{0, 0, 0};  ///< body frame: a belt
     Vec3 surface_spin_radps{0, 0, 0};    ///< body frame, about its origin: a turntable
 };

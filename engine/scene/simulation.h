@@ -36,6 +36,7 @@ constexpr Shading last_of(Shading) {
 namespace plumbline::scene {
 
 class EntityBuilder;
+struct FragileWhole;
 
 /// What play may switch while a scene runs; effects read it.
 struct LiveSwitches {
@@ -85,6 +86,7 @@ struct MovingBody {
 struct SceneJoint {
     std::string name;
     physics::JointId joint{};
+    physics::BodyId a{};
     Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
     float creak{0.0F};            ///< how loudly it creaks; 0: not at all
     SourceLocation location{};
@@ -196,7 +198,14 @@ public:
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
-    std::vector<std::string> messages;     ///< for the player, since the game took them
+    std::vector<std::string> messages;  ///< for the player, since the game took them
+    /// A push at a place that lasts no time: explosions say theirs here for what they may break.
+    struct Blow {
+        physics::BodyId body{};
+        Vec3 impulse_Ns{0, 0, 0};
+        Vec3 point_world{0, 0, 0};
+    };
+    std::vector<Blow> blows;               ///< since the latest step
     std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
     ForceFields force_fields;              ///< of the effects there are
     /// By the description's waters, while effect water lives: null where the surface is flat.
@@ -251,6 +260,14 @@ public:
     Result<Done> add_cloth(const ClothDescription& description);
     Result<Done> add_soft(const SoftDescription& description);
 
+    /// Bodies that can break or did, gone ones too; Fragile names them by their number.
+    std::span<const std::unique_ptr<FragileWhole>> wholes() const;
+    /// The entity falls into these parts of its pieces, as they move with it: it goes, and its parts are made. What held it
+    /// holds the nearest of them. `cracked`: as Fragile.
+    void break_up(ecs::Entity entity,
+                  std::span<const std::vector<std::uint32_t>> parts,
+                  const std::vector<std::uint32_t>& cracked);
+
     /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
     /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
@@ -293,6 +310,7 @@ private:
         std::vector<SceneDeformable> cloths;
         std::vector<SceneDeformable> softs;
         std::vector<Vehicle> vehicles;
+        std::vector<std::unique_ptr<FragileWhole>> wholes;
         bool any_destroyed{false};  ///< since `moving` was cleared of them
     };
     struct MassRatio {
@@ -316,6 +334,13 @@ private:
                             double load_N,
                             physics::BodyId chassis,
                             Wheel& wheel);
+    void add_whole(const EntityDescription& description,
+                   const std::string& name,
+                   ecs::Entity entity);
+    Result<ecs::Entity> make_fragment(EntityDescription description,
+                                      const std::string& name,
+                                      Fragile fragile);
+    void hand_over(physics::BodyId body, std::span<const ecs::Entity> parts);
     Vec3 anchor_in(physics::BodyId end, const Vec3& anchor_world) const;
     std::string name_of_joint(physics::JointId joint) const;
     void report_broken_joints();

@@ -4,6 +4,7 @@
 #include "engine/physics/sheet.h"
 #include "engine/physics/soft_body.h"
 #include "engine/physics/totals.h"
+#include "engine/scene/build/fragments.h"
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
@@ -245,6 +246,22 @@ void add_waters(JsonText& json, const Simulation& simulation) {
     json.end_array();
 }
 
+void add_breaks(JsonText& json, const Simulation& simulation) {
+    std::vector<std::size_t> parts(simulation.wholes().size(), 0);
+    for (auto [entity, fragile] : simulation.registry.view<const Fragile>()) ++parts[fragile.whole];
+    json.key("breaks").begin_array();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const FragileWhole& whole = *simulation.wholes()[i];
+        if (!whole.broke_at_s) continue;
+        json.begin_object();
+        json.key("name").text(whole.name);
+        json.key("at_s").number(*whole.broke_at_s);
+        json.key("pieces").number(parts[i]);
+        json.end_object();
+    }
+    json.end_array();
+}
+
 /// Who got how many sub-steps in the latest step, and why. small_step only.
 void add_islands(JsonText& json, const Simulation& simulation) {
     json.key("islands").begin_array();
@@ -362,6 +379,7 @@ std::string state_json(const Simulation& simulation,
     add_cloths(json, simulation);
     add_softs(json, simulation);
     add_waters(json, simulation);
+    add_breaks(json, simulation);
     json.key("cost");
     add_cost(json, costs);
     json.key("effects").raw(effects_json);

@@ -17,7 +17,7 @@ FLOORS = {
     "assets": ["image", "model", "gltf", "mesh_files", "foreign"],
     "physics": ["collision/shape", "collision/narrow_phase", "collision/mesh", "collision", "collision/sweep", "dynamics/joint/block", "dynamics/joint", "dynamics/contact",
                 "dynamics/impact", "dynamics", "deformable", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
-                "character"],
+                "fracture", "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
     "scene": ["environment", "formats", "paths", "sections", "sections/fields", "json_scene", "build", "simulation"],
     "effects": ["light", "nature", "physics", "sound", "screen"],

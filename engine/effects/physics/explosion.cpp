@@ -41,6 +41,7 @@ struct Strike {
 class Explosion final : public Effect {
 public:
     void before_step(scene::Simulation& simulation) override {
+        simulation.blows.clear();
         const double step_s = simulation.step_s();
         const double now_s = simulation.time_s() - kRounding * step_s;
         for (const scene::ExplosionDescription& charge :
@@ -67,8 +68,11 @@ private:
             for (const Strike& strike : strikes_on(simulation, charge, target, rays))
                 strikes.emplace_back(target.body, strike);
         }
-        for (const auto& [body, strike] : strikes)
+        for (const auto& [body, strike] : strikes) {
             simulation.physics.apply_impulse(body, strike.impulse_Ns, strike.point_world);
+            if (!simulation.wholes().empty())
+                simulation.blows.push_back({body, strike.impulse_Ns, strike.point_world});
+        }
         work_.calls += targets.size();
     }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -116,6 +117,13 @@ void detach_joint(JointRecord& joint, BulletEngine& engine) {
     forget_one(joint.a->excluded, joint.b);
     forget_one(joint.b->excluded, joint.a);
     engine.admit_pair(*joint.a, *joint.b);
+}
+
+/// Seen from another body that stands there.
+void move_side(Vec3d& anchor_m, Quatd& frame, const MassPose& from, const MassPose& to) {
+    const Quatd back = glm::conjugate(to.orientation);
+    anchor_m = back * (from.position_m + from.orientation * anchor_m - to.position_m);
+    frame = glm::normalize(back * from.orientation * frame);
 }
 
 /// Elastic joints with one mark are one rope, all of which carries about the same: it tears where it carries most.
@@ -248,6 +256,32 @@ Result<JointId> PhysicsWorld::create_joint(const JointDef& joint_def) {
         joint.bullet = std::make_unique<BulletJoint>(joint, state_->engine->world());
     state_->wake_ends(joint);
     return id;
+}
+
+void PhysicsWorld::hand_over_joints(BodyId from,
+                                    const std::function<BodyId(const Vec3& anchor_world)>& to) {
+    BodyRecord& old = state_->body(from);
+    const MassPose was = mass_pose(old);
+    for (const JointId id : std::exchange(old.joints, {})) {
+        JointRecord& joint = *state_->joints.get(id);
+        if (!joint.state.broken) detach_joint(joint, *state_->engine);
+        const bool is_a = joint.a == &old;
+        SolverJoint& solver = joint.solver;
+        Vec3d& anchor_m = is_a ? solver.anchor_in_a : solver.anchor_in_b;
+        const BodyId other = to(Vec3(was.position_m + was.orientation * anchor_m));
+        BodyRecord& next = state_->body(other);
+        move_side(anchor_m, is_a ? solver.frame_in_a : solver.frame_in_b, was, mass_pose(next));
+        (is_a ? joint.a : joint.b) = &next;
+        (is_a ? joint.def.a : joint.def.b) = other;
+        next.joints.push_back(id);
+        state_->wake_ends(joint);
+        if (joint.state.broken) continue;
+        exclude_collision(joint);
+        if (joint.b != nullptr && !joint.def.collide)
+            state_->engine->forget_pair(*joint.a, *joint.b);
+        if (!state_->small)
+            joint.bullet = std::make_unique<BulletJoint>(joint, state_->engine->world());
+    }
 }
 
 bool PhysicsWorld::contains(JointId id) const {

@@ -358,6 +358,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
         registry.add<DescribedAt>(entity, description.location);
     }
     add_visual(description, appearance, entity);
+    if (description.body && description.body->fracture)
+        simulation_.add_whole(description, name, entity);
     if (description.trigger) add_trigger(description, entity);
     if (simulation_.library().moving(appearance.model) != nullptr) {
         registry.add<PlayingModel>(entity, PlayingModel{.model = appearance.model});

@@ -4,6 +4,7 @@
 #include "engine/core/math.h"
 #include "engine/core/text/source_location.h"
 #include "engine/scene/environment/cloth_description.h"
+#include "engine/scene/environment/fracture_description.h"
 #include "engine/scene/environment/rope_description.h"
 #include "engine/scene/environment/soft_description.h"
 #include "engine/scene/environment/vehicle_description.h"
@@ -76,6 +77,7 @@ struct FieldFidelity {
     Fidelity buoyancy{Fidelity::Balanced};
     Fidelity water{Fidelity::Balanced};
     Fidelity explosion{Fidelity::Balanced};
+    Fidelity fracture{Fidelity::Balanced};
     Fidelity conveyor{Fidelity::Balanced};
     Fidelity magnets{Fidelity::Balanced};
     Fidelity rope{Fidelity::Balanced};

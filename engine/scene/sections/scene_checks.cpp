@@ -167,11 +167,6 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_mass_ratio(kinds, context);
     check_triggers(scene, context);
     if (scene.player) check_ground(kinds, context);
-    if (context.not_built.empty()) return;
-    context.faults.warning(context.not_built_location,
-                           {},
-                           "checked but not built yet: {}",
-                           fmt::join(context.not_built, "; "));
 }
 
 }  // namespace plumbline::scene

@@ -55,13 +55,9 @@ struct LoadContext {
     std::vector<SourceLocation> entity_locations{};  ///< of their names, in the scene's order
     std::vector<SourceLocation> array_locations{};
     SourceLocation scene_location{};  ///< the file as a whole
-    /// What is checked now and built when its system exists: one warning names it all.
-    std::vector<std::string> not_built{};
-    SourceLocation not_built_location{};
     /// By naming file and name: many entities name the same, and finding out asks the disk often.
     mutable std::map<std::pair<std::string, std::string>, Result<Reference>> references{};
 
-    void note_not_built(const SourceLocation& location, std::string what);
     /// find_reference() of what stands at `node`, a text.
     const Result<Reference>& reference(const TomlNode& node) const;
 };

@@ -33,7 +33,6 @@ constexpr std::array<std::string_view, 19> kEffects{"sun_shadow",
                                                     "contact_events",
                                                     "grass",
                                                     "flock"};
-constexpr std::array<std::string_view, 1> kEffectsToCome{"fracture"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
@@ -111,7 +110,7 @@ void read_acoustics(TableReader& table, AcousticsDescription& acoustics) {
     table.read("reverb", acoustics.reverb);
 }
 
-void read_effects(TableReader& root, SceneDescription& scene, LoadContext& context) {
+void read_effects(TableReader& root, SceneDescription& scene) {
     auto table = root.table("effects");
     if (!table) return;
     for (const std::string_view name : kEffects) {
@@ -121,12 +120,13 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         scene.effect_settings.emplace(name, settings->location());
     }
     FieldFidelity& fields = scene.forces.fidelity;
-    const std::array<std::pair<std::string_view, Fidelity*>, 16> with_fidelity{
+    const std::array<std::pair<std::string_view, Fidelity*>, 17> with_fidelity{
         {{"wind", &fields.wind},
          {"drag", &fields.drag},
          {"buoyancy", &fields.buoyancy},
          {"water", &fields.water},
          {"explosion", &fields.explosion},
+         {"fracture", &fields.fracture},
          {"conveyor", &fields.conveyor},
          {"magnets", &fields.magnets},
          {"rope", &fields.rope},
@@ -144,11 +144,6 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         read_fidelity(*settings, *fidelity);
         settings->finish();
         scene.effect_settings.emplace(name, settings->location());
-    }
-    for (const std::string_view name : kEffectsToCome) {
-        auto settings = table->table(name);
-        if (settings)
-            context.note_not_built(settings->location(), fmt::format("[effects.{}]", name));
     }
     table->finish();
 }
@@ -191,11 +186,6 @@ Accuracy read_accuracy(TableReader& table) {
 
 }  // namespace
 
-void LoadContext::note_not_built(const SourceLocation& location, std::string what) {
-    if (not_built.empty()) not_built_location = location;
-    not_built.push_back(std::move(what));
-}
-
 const Result<Reference>& LoadContext::reference(const TomlNode& node) const {
     const std::pair<std::string, std::string> key(file_of(node.location), *node.text());
     const auto known = references.find(key);
@@ -222,7 +212,7 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
     read_camera(root, scene);
     read_lights_and_air(root, scene, context);
     root.read_table("sound", scene.acoustics, read_acoustics);
-    read_effects(root, scene, context);
+    read_effects(root, scene);
     read_fields(root, scene);
 }
 

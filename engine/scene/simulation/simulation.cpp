@@ -5,6 +5,7 @@
 #include "engine/core/process/interrupt.h"
 #include "engine/physics/totals.h"
 #include "engine/scene/build/entity_builder.h"
+#include "engine/scene/build/fragments.h"
 #include "engine/scene/environment/sun_path.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
@@ -259,6 +260,10 @@ std::uint64_t Simulation::state_hash() const {
                  {each.body->body().positions_m(), each.body->body().velocities_mps()})
                 hasher.add(numbers.data(), numbers.size_bytes());
         }
+    }
+    for (auto [entity, fragile] : registry.view<const Fragile>()) {
+        const std::vector<std::uint32_t>& cracked = fragile.cracked;
+        hasher.add(cracked.data(), cracked.size() * sizeof(cracked[0]));
     }
     return hasher.digest();
 }

@@ -1,6 +1,8 @@
 // A running scene as fields of an archive, for saved games.
 #include "engine/scene/simulation/simulation_archive.h"
 
+#include "engine/scene/build/fragments.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -21,6 +23,20 @@ struct Made {
     physics::BodyId body{};
 
     void serialize(Archive& archive) { archive(entity, body); }
+};
+
+/// What play had made: from a description, or a part of a whole that broke.
+struct SavedThing {
+    std::vector<Made> made;
+    std::string description;  ///< of a part: its whole's
+    std::string name;
+    bool is_dropped{false};
+    std::string whole;                  ///< of a part: its name
+    std::vector<std::uint32_t> pieces;  ///< of a part
+
+    void serialize(Archive& archive) {
+        archive(made, description, name, is_dropped, whole, pieces);
+    }
 };
 
 Made made_of(const ecs::Registry& registry, ecs::Entity entity) {
@@ -70,6 +86,9 @@ void serialize_fields(Archive& archive, TriggerVolume& volume) {
 void serialize_fields(Archive& archive, PartOf& part) {
     archive(part.stopped);
 }
+void serialize_fields(Archive& archive, Fragile& fragile) {
+    archive(fragile.cracked);
+}
 void serialize_fields(Archive& archive, Dropped& dropped) {
     archive(dropped.serial);
 }
@@ -95,36 +114,78 @@ public:
     void serialize_bodies_of_scene();
 
 private:
+    ecs::Entity made_again(const Remake& remake,
+                           const std::string& description,
+                           const std::string& name,
+                           bool is_dropped);
+    std::uint32_t whole_again(const Remake& remake, const SavedThing& saved);
+    ecs::Entity fragment_again(std::uint32_t number, const SavedThing& saved);
     ecs::Entity remake_one(const Remake& remake);
+    SavedThing saved_thing(ecs::Entity entity) const;
     std::vector<ecs::Entity> entities_of_scene() const;
     void serialize_entities_of_scene();
     void serialize_components();
     void serialize_moving();
     void serialize_joints();
     void serialize_deformables();
+    void serialize_wholes();
     void check_restored();
 
     Simulation& simulation_;
     Archive& archive_;
 };
 
-ecs::Entity SimulationArchive::remake_one(const Remake& remake) {
-    std::vector<Made> made;
-    std::string description;
-    std::string name;
-    bool is_dropped = false;
-    archive_(made, description, name, is_dropped);
-    if (archive_.failed() ||
-        !archive_.expect(!made.empty() && reserve(simulation_, made), kOtherThings))
-        return {};
-    ecs::Entity entity{};
-    if (is_dropped) {
-        if (remake) entity = remake(description, name);
-    } else if (const auto prefab = simulation_.description_.prefabs.find(description);
-               prefab != simulation_.description_.prefabs.end()) {
-        entity = simulation_.respawn(prefab->second, name);
+ecs::Entity SimulationArchive::made_again(const Remake& remake,
+                                          const std::string& description,
+                                          const std::string& name,
+                                          bool is_dropped) {
+    if (is_dropped) return remake ? remake(description, name) : ecs::Entity{};
+    const auto prefab = simulation_.description_.prefabs.find(description);
+    if (prefab == simulation_.description_.prefabs.end()) return {};
+    return simulation_.respawn(prefab->second, name);
+}
+
+/// A whole that play had made is made once more, for its pieces.
+std::uint32_t SimulationArchive::whole_again(const Remake& remake, const SavedThing& saved) {
+    const auto& wholes = simulation_.bodies_.wholes;
+    const auto known = [&] {
+        return std::ranges::find(wholes, saved.whole, [](const auto& each) { return each->name; });
+    };
+    if (known() == wholes.end()) {
+        const ecs::Entity entity =
+            made_again(remake, saved.description, saved.whole, saved.is_dropped);
+        if (entity) simulation_.registry.destroy(entity);
+        simulation_.forget_destroyed();
     }
-    archive_.expect(entity == made.front().entity, kOtherThings);
+    return static_cast<std::uint32_t>(known() - wholes.begin());
+}
+
+ecs::Entity SimulationArchive::fragment_again(std::uint32_t number, const SavedThing& saved) {
+    if (number >= simulation_.bodies_.wholes.size()) return {};
+    const FragileWhole& whole = *simulation_.bodies_.wholes[number];
+    const std::size_t pieces = whole.pattern.pieces.size();
+    if (saved.pieces.size() >= pieces || saved.pieces.back() >= pieces ||
+        !std::ranges::is_sorted(saved.pieces, std::ranges::less_equal{}))
+        return {};
+    const Result<ecs::Entity> made = simulation_.make_fragment(
+        fragment_of(whole, saved.pieces), saved.name, {.whole = number, .pieces = saved.pieces});
+    if (!made) return {};
+    if (saved.is_dropped) simulation_.registry.add<Dropped>(*made, Dropped{});
+    return *made;
+}
+
+ecs::Entity SimulationArchive::remake_one(const Remake& remake) {
+    SavedThing saved;
+    archive_(saved);
+    if (archive_.failed()) return {};
+    const bool is_part = !saved.pieces.empty();
+    const std::uint32_t whole = is_part ? whole_again(remake, saved) : 0;
+    if (!archive_.expect(!saved.made.empty() && reserve(simulation_, saved.made), kOtherThings))
+        return {};
+    const ecs::Entity entity =
+        is_part ? fragment_again(whole, saved)
+                : made_again(remake, saved.description, saved.name, saved.is_dropped);
+    archive_.expect(entity == saved.made.front().entity, kOtherThings);
     return entity;
 }
 
@@ -183,12 +244,24 @@ void SimulationArchive::serialize_entities(const Remake& remake) {
             remake_one(remake);
             continue;
         }
-        std::vector<Made> made = all_of(simulation_.registry, spawned[i]);
-        std::string description = simulation_.registry.get<Spawned>(spawned[i]).description;
-        std::string name = simulation_.registry.get<Name>(spawned[i]).text;
-        bool is_dropped = simulation_.registry.has<Dropped>(spawned[i]);
-        archive_(made, description, name, is_dropped);
+        SavedThing saved = saved_thing(spawned[i]);
+        archive_(saved);
     }
+}
+
+SavedThing SimulationArchive::saved_thing(ecs::Entity entity) const {
+    const ecs::Registry& registry = simulation_.registry;
+    SavedThing saved{.made = all_of(registry, entity),
+                     .description = registry.get<Spawned>(entity).description,
+                     .name = registry.get<Name>(entity).text,
+                     .is_dropped = registry.has<Dropped>(entity)};
+    const auto* fragile = registry.find<Fragile>(entity);
+    if (fragile == nullptr) return saved;
+    const FragileWhole& whole = *simulation_.bodies_.wholes[fragile->whole];
+    if (fragile->pieces.size() == whole.pattern.pieces.size()) return saved;
+    saved.whole = whole.name;
+    saved.pieces = fragile->pieces;
+    return saved;
 }
 
 void SimulationArchive::serialize_components() {
@@ -208,6 +281,7 @@ void SimulationArchive::serialize_components() {
                      TriggerVolume,
                      MotionPath,
                      PartOf,
+                     Fragile,
                      Spawned,
                      Dropped>(archive_, simulation_.registry);
     if (archive_.failed()) return;
@@ -217,6 +291,7 @@ void SimulationArchive::serialize_components() {
                      PointLight,
                      TriggerVolume,
                      PartOf,
+                     Fragile,
                      Dropped>(archive_, simulation_.registry);
     simulation_.registry.serialize_slots(archive_);
 }
@@ -243,8 +318,10 @@ void SimulationArchive::serialize_moving() {
 void SimulationArchive::serialize_joints() {
     const std::size_t count = archive_.count(simulation_.bodies_.joints.size());
     if (!archive_.expect(count == simulation_.bodies_.joints.size(), kOtherThings)) return;
-    for (SceneJoint& joint : simulation_.bodies_.joints) archive_(joint.joint);
+    for (SceneJoint& joint : simulation_.bodies_.joints)
+        archive_(joint.joint, joint.a, joint.anchor_a_body);
     for (Rope& rope : simulation_.bodies_.ropes) {
+        archive_(rope.ends[0], rope.ends[1], rope.anchors_m[0], rope.anchors_m[1]);
         for (physics::JointId& joint : rope.joints) archive_(joint);
     }
     for (Vehicle& vehicle : simulation_.bodies_.vehicles) {
@@ -263,6 +340,32 @@ void SimulationArchive::serialize_deformables() {
             archive_(each.before_m);
             if (!archive_.expect(each.before_m.size() == points, kOtherThings)) return;
         }
+    }
+}
+
+/// Those whose things went altogether are not made again.
+void SimulationArchive::serialize_wholes() {
+    const auto& wholes = simulation_.bodies_.wholes;
+    const std::size_t count = archive_.count(wholes.size());
+    for (std::size_t i = 0; i < count && !archive_.failed(); ++i) {
+        FragileWhole saved;
+        if (!archive_.reads()) {
+            saved.name = wholes[i]->name;
+            saved.next_part = wholes[i]->next_part;
+            saved.broke_at_s = wholes[i]->broke_at_s;
+        }
+        archive_(saved.name, saved.next_part, saved.broke_at_s);
+        const auto known =
+            std::ranges::find(wholes, saved.name, [](const auto& each) { return each->name; });
+        if (!archive_.reads() || known == wholes.end()) continue;
+        (*known)->next_part = saved.next_part;
+        (*known)->broke_at_s = saved.broke_at_s;
+    }
+    for (auto [entity, fragile] : simulation_.registry.view<const Fragile>()) {
+        const std::size_t bonds = wholes[fragile.whole]->pattern.bonds.size();
+        archive_.expect(std::ranges::all_of(fragile.cracked,
+                                            [bonds](std::uint32_t bond) { return bond < bonds; }),
+                        kOtherThings);
     }
 }
 
@@ -308,6 +411,7 @@ void SimulationArchive::serialize_state() {
              simulation_.description_.camera.up,
              simulation_.description_.camera.fov_y_rad);
     serialize_deformables();
+    serialize_wholes();
     if (archive_.reads()) check_restored();
     ++simulation_.revision_;
 }

@@ -55,6 +55,7 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
     bodies_.joints.push_back(
         {.name = description.name,
          .joint = *made,
+         .a = *a,
          .anchor_a_body = transform_point(body_from_world, description.anchor_a_m),
          .creak = description.creak,
          .location = description.location});

@@ -13,8 +13,8 @@ namespace plumbline::scene {
 namespace {
 
 /// Sub-steps times cells that a second of simulated time may take at draft, balanced and precise.
-constexpr std::array kWork_ps{1e5, 4e5, 2e6};
-constexpr std::array kCellsAlong{4.0, 6.0, 10.0};
+constexpr std::array kSoftWork_ps{1e5, 4e5, 2e6};
+constexpr std::array kSoftCellsAlong{4.0, 6.0, 10.0};
 constexpr double kThickness_m = 1e-3;
 constexpr std::uint32_t kMostCellsAlong = 100;
 
@@ -33,7 +33,7 @@ physics::SoftGrid grid_of(const SoftDescription& soft,
     const Vec3d size_m = high - low;
     const double longest_m = std::max({size_m.x, size_m.y, size_m.z});
     const double twice = soft.form == SoftForm::Ellipsoid ? 2 : 1;  // half axes
-    const double cell_m = soft.cell_m.value_or(longest_m * twice / kCellsAlong[fidelity]);
+    const double cell_m = soft.cell_m.value_or(longest_m * twice / kSoftCellsAlong[fidelity]);
     if (soft.form == SoftForm::Ellipsoid)
         return physics::ellipsoid_grid(soft.size_m,
                                        {count_of(2 * size_m.x, cell_m, 2),
@@ -96,7 +96,7 @@ Result<Done> Simulation::add_soft(const SoftDescription& description) {
     physics::DeformableDef def{
         .thickness_m = kThickness_m,
         .friction = description.friction,
-        .substeps_per_s = kWork_ps[fidelity] / static_cast<double>(grid.cells.size()),
+        .substeps_per_s = kSoftWork_ps[fidelity] / static_cast<double>(grid.cells.size()),
         .pins = {}};
     for (const SoftPinDescription& pin : description.pins) {
         const auto holder =

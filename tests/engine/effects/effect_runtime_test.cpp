@@ -76,6 +76,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "cloth",
                                                  "soft",
                                                  "vehicles",
+                                                 "fracture",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

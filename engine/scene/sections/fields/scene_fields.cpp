@@ -11,6 +11,9 @@ constexpr std::size_t kZones = 64;
 constexpr std::size_t kWaters = 16;
 constexpr std::size_t kExplosions = 256;
 constexpr std::size_t kProbes = 64;
+constexpr int kMostAskedPieces = 100'000;
+constexpr int kMostPieces = 256;
+constexpr Real kStiffnessByStrength = 1000;
 constexpr int kLeastModes = 16;  // along a side, at draft
 
 void read_drag(TableReader& table, Drag& drag) {
@@ -90,11 +93,46 @@ void read_explosion(TableReader& table, ExplosionDescription& explosion) {
     table.read("reach_m", explosion.reach_m, {1e-3, 1e4, "a length from 0.001 to 10000 m"});
 }
 
+void read_fracture(TableReader& table, FractureDescription& fracture) {
+    constexpr Range kPressure_Pa{1, 1e15, "a pressure from 1 to 1e15 Pa"};
+    int pieces = static_cast<int>(fracture.pieces);
+    table.read("pieces", pieces, 2, kMostAskedPieces);
+    if (pieces > kMostPieces) {
+        table.warning(
+            "pieces", "{} are more than {}: cut into {}", pieces, kMostPieces, kMostPieces);
+        pieces = kMostPieces;
+    }
+    fracture.pieces = static_cast<std::uint32_t>(pieces);
+    table.read("strength_Pa", fracture.strength_Pa, kPressure_Pa);
+    fracture.stiffness_Pa = kStiffnessByStrength * fracture.strength_Pa;
+    table.read("stiffness_Pa", fracture.stiffness_Pa, kPressure_Pa);
+    int seed = 1;
+    table.read("seed", seed, 0, 1'000'000'000);
+    fracture.seed = static_cast<std::uint32_t>(seed);
+}
+
+void read_body_fracture(TableReader& table, BodyDescription& body) {
+    table.read_table("fracture", body.fracture, read_fracture);
+    if (!body.fracture) return;
+    if (body.kind != physics::BodyKind::Dynamic) {
+        table.warning("fracture", "only dynamic bodies break; ignored");
+        body.fracture.reset();
+        return;
+    }
+    for (const char* key : {"inertia_kgm2", "center_of_mass_m"}) {
+        if (!table.has(key)) continue;
+        table.warning(key, "is that of its pieces, as it can break; ignored");
+        body.inertia_kgm2.reset();
+        body.center_of_mass_m.reset();
+    }
+}
+
 }  // namespace
 
 void read_body_fields(TableReader& table, BodyDescription& body) {
     table.read_table("drag", body.drag, read_drag);
     table.read_table("magnet", body.magnet, read_magnet);
+    read_body_fracture(table, body);
     if (body.drag && body.kind != physics::BodyKind::Dynamic) {
         table.warning("drag", "only dynamic bodies are moved by the air; ignored");
         body.drag.reset();

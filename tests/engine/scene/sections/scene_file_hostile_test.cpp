@@ -175,8 +175,8 @@ b = "a.0.1.2"
 anchor_m = [0, 0, 0]
 motor = { target = 1, max = 2 }
 [effects.fracture]
-speed = """
-x"""
+fidelity = """
+draft"""
 )";
     ASSERT_TRUE(load(whole).scene.ok());
     for (std::size_t size = 0; size < whole.size(); ++size) {

@@ -15,7 +15,7 @@ using namespace convex_rig;
 constexpr double kPairReach_m = 0.1;
 /// Of the smaller shape's size: how far beside a face its points may lie, how far above the deepest the others.
 constexpr double kBeside = 1.5e-4;
-constexpr double kLevel = 2.1e-4;
+constexpr double kPairLevel = 2.1e-4;
 
 /// Poses for each pair; PLUMBLINE_CONVEX_POSES asks for more.
 int poses(int usual) {
@@ -126,7 +126,7 @@ TEST(ConvexPairs, AContactLiesOnBothSurfacesAndHasTheDeepestPoint) {
             least_m = std::min(least_m, point.distance_m);
         }
         ASSERT_GE(least_m, found->separation.distance_m - 1e-6 - kBeside * size_m);
-        ASSERT_LE(least_m, found->separation.distance_m + kLevel * size_m);
+        ASSERT_LE(least_m, found->separation.distance_m + kPairLevel * size_m);
     });
     EXPECT_GT(contacts, 100);
 }
