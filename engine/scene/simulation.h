@@ -205,7 +205,7 @@ public:
         Vec3 impulse_Ns{0, 0, 0};
         Vec3 point_world{0, 0, 0};
     };
-    std::vector<Blow> blows;               ///< since the latest step
+    std::vector<Blow> blows;               ///< until the end of the step
     std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
     ForceFields force_fields;              ///< of the effects there are
     /// By the description's waters, while effect water lives: null where the surface is flat.

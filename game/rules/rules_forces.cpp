@@ -3,6 +3,7 @@
 #include "game/rules/rules.h"
 
 #include <algorithm>
+#include <map>
 
 namespace plumbline::game {
 namespace {
@@ -56,18 +57,18 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
         const auto made = world.create_shape(physics::SphereShape{kExplosion_m});
         if (made) explosion_ = *made;
     }
-    std::vector<physics::BodyId> reached;
+    std::map<physics::BodyId, Vec3> reached;  // and where it is struck
     for (const physics::OverlapHit& hit :
          physics::overlaps(world, explosion_, Pose{.position = looked->point_m}, Real{0})) {
-        if (is_loose(world, hit.body)) reached.push_back(hit.body);
+        if (is_loose(world, hit.body)) reached.emplace(hit.body, hit.point_world);
     }
-    std::ranges::sort(reached);
-    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
-    for (const physics::BodyId body : reached) {
+    for (const auto& [body, struck_m] : reached) {
         const Vec3 offset = world.state(body).center_of_mass_world() - looked->point_m;
         const Real distance_m = std::max(glm::length(offset), kNearestBlast_m);
         const Vec3 out = normalize_or(offset, Vec3{0, 1, 0});
-        world.apply_impulse(body, out * (kExplosion_Nsm / distance_m));
+        const Vec3 impulse_Ns = out * (kExplosion_Nsm / distance_m);
+        world.apply_impulse(body, impulse_Ns);
+        simulation.blows.push_back({body, impulse_Ns, struck_m});
     }
 }
 

@@ -41,7 +41,6 @@ struct Strike {
 class Explosion final : public Effect {
 public:
     void before_step(scene::Simulation& simulation) override {
-        simulation.blows.clear();
         const double step_s = simulation.step_s();
         const double now_s = simulation.time_s() - kRounding * step_s;
         for (const scene::ExplosionDescription& charge :
@@ -70,8 +69,7 @@ private:
         }
         for (const auto& [body, strike] : strikes) {
             simulation.physics.apply_impulse(body, strike.impulse_Ns, strike.point_world);
-            if (!simulation.wholes().empty())
-                simulation.blows.push_back({body, strike.impulse_Ns, strike.point_world});
+            simulation.blows.push_back({body, strike.impulse_Ns, strike.point_world});
         }
         work_.calls += targets.size();
     }

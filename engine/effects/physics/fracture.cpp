@@ -45,7 +45,6 @@ public:
                 if (!state.awake || !state.pushable()) return;
                 if (strain(simulation, entity, fragile, ref.body)) breaking.push_back(entity);
             });
-        simulation.blows.clear();
         for (const ecs::Entity entity : breaking) {
             const FractureNetwork& network = watched_.at(entity).network;
             simulation.break_up(entity, network.parts(), network.cracked());

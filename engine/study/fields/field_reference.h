@@ -39,6 +39,7 @@ std::span<const FieldReference> rope_references();
 std::span<const FieldReference> cloth_references();
 std::span<const FieldReference> soft_references();
 std::span<const FieldReference> vehicle_references();
+std::span<const FieldReference> fracture_references();
 
 /// All of them, in the order of the effects' names.
 std::vector<FieldReference> field_references();

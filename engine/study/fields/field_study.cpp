@@ -21,6 +21,7 @@ std::vector<FieldReference> field_references() {
                                belt_references(),
                                air_references(),
                                blast_references(),
+                               fracture_references(),
                                rope_references(),
                                soft_references(),
                                vehicle_references(),
