@@ -8,7 +8,9 @@
 
 #include "engine/physics/body.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -78,6 +80,12 @@ struct BodyLoad {
 
 /// Forces of the latest step, world axes; an impact counts as a force over `impact_s`.
 std::vector<BodyLoad> loads_on(const PhysicsWorld& world, BodyId body, double impact_s);
+
+/// Each joint that holds `from` holds, from now on and at the same place, the body that `to` names for its anchor there: one that
+/// moves. It keeps its zero and what it carried.
+void hand_over_joints(PhysicsWorld& world,
+                      BodyId from,
+                      const std::function<BodyId(const Vec3& anchor_world)>& to);
 
 /// Some pieces of a pattern that hold together, at work.
 class FractureNetwork {

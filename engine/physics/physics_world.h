@@ -126,10 +126,6 @@ public:
     /// numbers that are not finite or a negative maximum, change nothing.
     void set_joint_motor(JointId id, const std::optional<JointMotor>& motor);
 
-    /// Each joint that holds `from` holds, from now on and at the same place, the body that `to` names for its anchor there:
-    /// one that moves. It keeps its zero and what it carried.
-    void hand_over_joints(BodyId from, const std::function<BodyId(const Vec3& anchor_world)>& to);
-
     // --- the world
 
     /// One fixed step, in which `fields` push bodies: all the same for as long as a body sleeps on them, in one order.

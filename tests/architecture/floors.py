@@ -20,7 +20,7 @@ FLOORS = {
                 "fracture", "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
     "scene": ["environment", "formats", "paths", "sections", "sections/fields", "json_scene", "build", "simulation"],
-    "effects": ["light", "nature", "physics", "sound", "screen"],
+    "effects": ["light", "nature", "fields", "physics", "sound", "screen"],
     "study": ["findings", "fields", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "gallery", "ghost",
               "scenes", "auto_preset"],
     "app": ["capture", "settings", "controls", "accuracy", "ui", "overlay", "frame"],

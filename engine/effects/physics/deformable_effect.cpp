@@ -1,7 +1,7 @@
 #include "engine/effects/physics/deformable_effect.h"
 
-#include "engine/effects/physics/air.h"
-#include "engine/effects/physics/field_effect.h"
+#include "engine/effects/fields/air.h"
+#include "engine/effects/fields/field_effect.h"
 
 #include <fmt/format.h>
 

@@ -12,20 +12,21 @@ constexpr Real kImpact_mps = 0.05_r;
 /// A manifold that is younger has carried nothing that lasts.
 constexpr std::uint32_t kLasting_steps = 2;
 
-std::vector<const Manifold*> manifolds_of(const WorldState& world, const BodyRecord& record) {
-    std::vector<const Manifold*> list;
-    const auto add = [&](const Manifold& manifold) {
-        if (!manifold.points.empty()) list.push_back(&manifold);
-    };
+/// Those that have points; a reference is good within the call only.
+template <class Visit>
+void each_manifold_of(const WorldState& world, const BodyRecord& record, const Visit& visit) {
     if (world.small) {
-        for (const PairLink& link : record.small.pairs)
-            for (const Manifold& manifold : link.pair->manifolds) add(manifold);
-    } else {
-        world.engine->each_manifold([&](const Manifold& manifold) {
-            if (manifold.a == &record || manifold.b == &record) add(manifold);
-        });
+        for (const PairLink& link : record.small.pairs) {
+            for (const Manifold& manifold : link.pair->manifolds) {
+                if (!manifold.points.empty()) visit(manifold);
+            }
+        }
+        return;
     }
-    return list;
+    world.engine->each_manifold([&](const Manifold& manifold) {
+        const bool is_own = manifold.a == &record || manifold.b == &record;
+        if (is_own && !manifold.points.empty()) visit(manifold);
+    });
 }
 
 Real closing_mps(const Manifold& manifold) {
@@ -92,16 +93,15 @@ std::vector<BodyLoad> loads_on(const PhysicsWorld& world, BodyId body, double im
     const BodyRecord& record = state.body(body);
     // Of Bullet's sub-steps, contacts know the latest.
     const double step_s = state.small ? state.def.step_s : state.def.step_s / state.def.substeps;
-    const std::vector<const Manifold*> manifolds = manifolds_of(state, record);
-    const bool is_impact = std::ranges::any_of(
-        manifolds, [](const Manifold* manifold) { return closing_mps(*manifold) > kImpact_mps; });
+    bool is_impact = false;
+    each_manifold_of(state, record, [&](const Manifold& manifold) {
+        is_impact = is_impact || closing_mps(manifold) > kImpact_mps;
+    });
+    const double per_s = is_impact ? 1 / impact_s : 1 / step_s;
     std::vector<BodyLoad> loads;
-    for (const Manifold* manifold : manifolds)
-        add_loads(*manifold,
-                  manifold->a == &record,
-                  step_s,
-                  is_impact ? 1 / impact_s : 1 / step_s,
-                  loads);
+    each_manifold_of(state, record, [&](const Manifold& manifold) {
+        add_loads(manifold, manifold.a == &record, step_s, per_s, loads);
+    });
     for (const JointId id : record.joints)
         add_loads(*state.joints.get(id), record, state.def.step_s, loads);
     return loads;

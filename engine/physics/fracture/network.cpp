@@ -1,6 +1,6 @@
 // The rigid-body-spring network of a body's pieces: what loads do to its bonds.
 #include "engine/physics/dynamics/joint/block/block_ldlt.h"
-#include "engine/physics/fracture.h"
+#include "engine/physics/fracture/bond_stress.h"
 
 #include <algorithm>
 #include <array>
@@ -302,42 +302,9 @@ struct FractureNetwork::Impl {
             }
             gap /= bond.distance_m;
             turn /= bond.distance_m;
-            const double twisted_Pa =
-                is_whole[number] ? twisted_whole_Pa(bond, turn) : twisted_part_Pa(bond, turn);
-            stress[number] = principal_Pa(bond, gap, turn, twisted_Pa);
+            stress[number] = principal_Pa(bond, gap, turn, is_whole[number]);
         });
         return stress;
-    }
-
-    /// A section by itself warps.
-    static double twisted_whole_Pa(const FractureBond& bond, const Vec3d& turn) {
-        return std::abs(glm::dot(bond.normal, bond.second_m4 * turn)) / bond.torsion_m3;
-    }
-    /// What is part of a section slides with the rest.
-    static double twisted_part_Pa(const FractureBond& bond, const Vec3d& turn) {
-        double farthest_m = 0;
-        for (const Vec3d& corner : bond.corners_m)
-            farthest_m = std::max(farthest_m, glm::distance(corner, bond.center_m));
-        return std::abs(glm::dot(bond.normal, turn)) * farthest_m;
-    }
-
-    /// The larger of what bends and twists at the rim, and what pulls and shears in the middle (Rankine).
-    static double principal_Pa(const FractureBond& bond,
-                               const Vec3d& mean_Pa,
-                               const Vec3d& turn,
-                               double twisted_Pa) {
-        const auto principal = [](double pulled, double sheared) {
-            return pulled / 2 + std::sqrt(pulled * pulled / 4 + sheared * sheared);
-        };
-        const double pulled_Pa = glm::dot(mean_Pa, bond.normal);
-        const double sheared_Pa = glm::length(mean_Pa - pulled_Pa * bond.normal);
-        double rim_Pa = pulled_Pa;
-        for (const Vec3d& corner : bond.corners_m) {
-            const Vec3d bent_Pa = glm::cross(turn, corner - bond.center_m);
-            rim_Pa = std::max(rim_Pa, pulled_Pa + glm::dot(bent_Pa, bond.normal));
-        }
-        return std::max(principal(rim_Pa, twisted_Pa),
-                        principal(pulled_Pa, sheared_Pa + twisted_Pa));
     }
 };
 

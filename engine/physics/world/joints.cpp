@@ -2,6 +2,7 @@
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/joint/joint_geometry.h"
+#include "engine/physics/fracture.h"
 #include "engine/physics/world/world_state.h"
 
 #include <fmt/format.h>
@@ -258,32 +259,6 @@ Result<JointId> PhysicsWorld::create_joint(const JointDef& joint_def) {
     return id;
 }
 
-void PhysicsWorld::hand_over_joints(BodyId from,
-                                    const std::function<BodyId(const Vec3& anchor_world)>& to) {
-    BodyRecord& old = state_->body(from);
-    const MassPose was = mass_pose(old);
-    for (const JointId id : std::exchange(old.joints, {})) {
-        JointRecord& joint = *state_->joints.get(id);
-        if (!joint.state.broken) detach_joint(joint, *state_->engine);
-        const bool is_a = joint.a == &old;
-        SolverJoint& solver = joint.solver;
-        Vec3d& anchor_m = is_a ? solver.anchor_in_a : solver.anchor_in_b;
-        const BodyId other = to(Vec3(was.position_m + was.orientation * anchor_m));
-        BodyRecord& next = state_->body(other);
-        move_side(anchor_m, is_a ? solver.frame_in_a : solver.frame_in_b, was, mass_pose(next));
-        (is_a ? joint.a : joint.b) = &next;
-        (is_a ? joint.def.a : joint.def.b) = other;
-        next.joints.push_back(id);
-        state_->wake_ends(joint);
-        if (joint.state.broken) continue;
-        exclude_collision(joint);
-        if (joint.b != nullptr && !joint.def.collide)
-            state_->engine->forget_pair(*joint.a, *joint.b);
-        if (!state_->small)
-            joint.bullet = std::make_unique<BulletJoint>(joint, state_->engine->world());
-    }
-}
-
 bool PhysicsWorld::contains(JointId id) const {
     return state_->joints.contains(id);
 }
@@ -304,6 +279,34 @@ void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& 
     joint.solver.motor = motor;
     if (joint.bullet) joint.bullet->drive();
     state_->wake_ends(joint);
+}
+
+void hand_over_joints(PhysicsWorld& world,
+                      BodyId from,
+                      const std::function<BodyId(const Vec3& anchor_world)>& to) {
+    const WorldState& state = internals(world);
+    BodyRecord& old = state.body(from);
+    const MassPose was = mass_pose(old);
+    for (const JointId id : std::exchange(old.joints, {})) {
+        JointRecord& joint = *state.joints.get(id);
+        if (!joint.state.broken) detach_joint(joint, *state.engine);
+        const bool is_a = joint.a == &old;
+        SolverJoint& solver = joint.solver;
+        Vec3d& anchor_m = is_a ? solver.anchor_in_a : solver.anchor_in_b;
+        const BodyId other = to(Vec3(was.position_m + was.orientation * anchor_m));
+        BodyRecord& next = state.body(other);
+        move_side(anchor_m, is_a ? solver.frame_in_a : solver.frame_in_b, was, mass_pose(next));
+        (is_a ? joint.a : joint.b) = &next;
+        (is_a ? joint.def.a : joint.def.b) = other;
+        next.joints.push_back(id);
+        world.wake(joint.def.a);
+        if (joint.b != nullptr) world.wake(joint.def.b);
+        if (joint.state.broken) continue;
+        exclude_collision(joint);
+        if (joint.b != nullptr && !joint.def.collide) state.engine->forget_pair(*joint.a, *joint.b);
+        if (!state.small)
+            joint.bullet = std::make_unique<BulletJoint>(joint, state.engine->world());
+    }
 }
 
 }  // namespace plumbline::physics

@@ -2,6 +2,7 @@
 #include "engine/scene/simulation/simulation_archive.h"
 
 #include "engine/scene/build/fragments.h"
+#include "engine/scene/simulation/saved_thing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,51 +17,6 @@ constexpr LampOn last_of(LampOn) {
 namespace {
 
 constexpr std::string_view kOtherThings = "its things are not those of this scene";
-
-/// What a part of a playing model, or the whole, was: its entity and its body.
-struct Made {
-    ecs::Entity entity{};
-    physics::BodyId body{};
-
-    void serialize(Archive& archive) { archive(entity, body); }
-};
-
-/// What play had made: from a description, or a part of a whole that broke.
-struct SavedThing {
-    std::vector<Made> made;
-    std::string description;  ///< of a part: its whole's
-    std::string name;
-    bool is_dropped{false};
-    std::string whole;                  ///< of a part: its name
-    std::vector<std::uint32_t> pieces;  ///< of a part
-
-    void serialize(Archive& archive) {
-        archive(made, description, name, is_dropped, whole, pieces);
-    }
-};
-
-Made made_of(const ecs::Registry& registry, ecs::Entity entity) {
-    const auto* ref = registry.find<BodyRef>(entity);
-    return {.entity = entity, .body = ref != nullptr ? ref->body : physics::BodyId{}};
-}
-
-/// The whole first, as the builder makes them.
-std::vector<Made> all_of(const ecs::Registry& registry, ecs::Entity entity) {
-    std::vector<Made> made{made_of(registry, entity)};
-    const auto* bodies = registry.find<PartBodies>(entity);
-    if (bodies == nullptr) return made;
-    for (const PartBodies::Part& part : bodies->parts) {
-        if (registry.alive(part.entity)) made.push_back(made_of(registry, part.entity));
-    }
-    return made;
-}
-
-bool reserve(Simulation& simulation, const std::vector<Made>& made) {
-    return std::all_of(made.rbegin(), made.rend(), [&](const Made& one) {
-        return simulation.registry.reserve(one.entity) &&
-               (!one.body || simulation.physics.reserve_body(one.body));
-    });
-}
 
 template <class... Components>
 void serialize_orders(Archive& archive, ecs::Registry& registry) {
@@ -121,7 +77,6 @@ private:
     std::uint32_t whole_again(const Remake& remake, const SavedThing& saved);
     ecs::Entity fragment_again(std::uint32_t number, const SavedThing& saved);
     ecs::Entity remake_one(const Remake& remake);
-    SavedThing saved_thing(ecs::Entity entity) const;
     std::vector<ecs::Entity> entities_of_scene() const;
     void serialize_entities_of_scene();
     void serialize_components();
@@ -244,24 +199,9 @@ void SimulationArchive::serialize_entities(const Remake& remake) {
             remake_one(remake);
             continue;
         }
-        SavedThing saved = saved_thing(spawned[i]);
+        SavedThing saved = saved_thing(simulation_, spawned[i]);
         archive_(saved);
     }
-}
-
-SavedThing SimulationArchive::saved_thing(ecs::Entity entity) const {
-    const ecs::Registry& registry = simulation_.registry;
-    SavedThing saved{.made = all_of(registry, entity),
-                     .description = registry.get<Spawned>(entity).description,
-                     .name = registry.get<Name>(entity).text,
-                     .is_dropped = registry.has<Dropped>(entity)};
-    const auto* fragile = registry.find<Fragile>(entity);
-    if (fragile == nullptr) return saved;
-    const FragileWhole& whole = *simulation_.bodies_.wholes[fragile->whole];
-    if (fragile->pieces.size() == whole.pattern.pieces.size()) return saved;
-    saved.whole = whole.name;
-    saved.pieces = fragile->pieces;
-    return saved;
 }
 
 void SimulationArchive::serialize_components() {

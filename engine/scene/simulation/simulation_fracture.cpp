@@ -176,7 +176,7 @@ void Simulation::hand_over(physics::BodyId body, std::span<const ecs::Entity> pa
         return transform_point(invert(physics.state(next).world_from_body),
                                transform_point(was, anchor_m));
     };
-    physics.hand_over_joints(body, part_at);
+    physics::hand_over_joints(physics, body, part_at);
     for (SceneJoint& joint : bodies_.joints) {
         if (!physics.contains(joint.joint)) continue;
         const physics::BodyId a = physics.joint(joint.joint).def.a;

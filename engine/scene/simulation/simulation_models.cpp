@@ -14,7 +14,7 @@ const assets::ModelAnimation& animation_of(const assets::MovingModel& model,
 }
 
 /// Above 0, so that times can be taken modulo it.
-double length_of(const assets::MovingModel& model, const PlayingModel& playing) {
+double animation_s(const assets::MovingModel& model, const PlayingModel& playing) {
     return std::max(1e-6, static_cast<double>(animation_of(model, playing).duration_s));
 }
 
@@ -34,7 +34,7 @@ void Simulation::set_time(double time_s) {
     clock_.since_step = clock_.steps;
     for (auto [entity, playing] : registry.view<PlayingModel>()) {
         const assets::MovingModel* model = library_.moving(playing.model);
-        if (model != nullptr) playing.time_s = std::fmod(time_s, length_of(*model, playing));
+        if (model != nullptr) playing.time_s = std::fmod(time_s, animation_s(*model, playing));
     }
 }
 
@@ -45,7 +45,8 @@ void Simulation::play_models() {
         if (model == nullptr) continue;
         if (!playing.paused) {
             playing.latest_step_s = clock_.step_s;
-            playing.time_s = std::fmod(playing.time_s + clock_.step_s, length_of(*model, playing));
+            playing.time_s =
+                std::fmod(playing.time_s + clock_.step_s, animation_s(*model, playing));
         }
         const auto* bodies = registry.find<PartBodies>(entity);
         if (bodies == nullptr) continue;

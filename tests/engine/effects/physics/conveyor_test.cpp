@@ -1,5 +1,5 @@
 // Belts stop when they are called off.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

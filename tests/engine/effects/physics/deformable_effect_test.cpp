@@ -2,7 +2,7 @@
 #include "engine/core/io/archive.h"
 #include "engine/physics/sheet.h"
 #include "engine/scene/simulation/simulation_archive.h"
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

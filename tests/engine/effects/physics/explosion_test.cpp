@@ -1,5 +1,5 @@
 // Charges go off once, and spare what is hidden.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

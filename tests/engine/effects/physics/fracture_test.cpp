@@ -3,7 +3,7 @@
 #include "engine/effects/saved_game.h"
 #include "engine/scene/build/fragments.h"
 #include "engine/scene/state_report.h"
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 #include "tests/support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>

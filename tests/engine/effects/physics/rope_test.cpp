@@ -1,5 +1,5 @@
 // Ropes stand still while they are called off, and cost nothing then.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

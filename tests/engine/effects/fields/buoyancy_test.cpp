@@ -1,5 +1,5 @@
 // What floats sleeps, wakes and is let go.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

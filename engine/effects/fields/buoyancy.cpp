@@ -2,7 +2,7 @@
 #include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
-#include "engine/effects/physics/field_effect.h"
+#include "engine/effects/fields/field_effect.h"
 #include "engine/physics/medium.h"
 #include "engine/scene/environment/wave_field.h"
 

@@ -1,5 +1,5 @@
 // What is blended between corners against what is asked for.
-#include "engine/effects/physics/silhouette_map.h"
+#include "engine/effects/fields/silhouette_map.h"
 
 #include "engine/core/random.h"
 

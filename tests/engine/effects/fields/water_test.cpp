@@ -1,6 +1,6 @@
 // Waves as an effect: there while a surface has them, asleep when it is level, felt and made by floats.
 #include "engine/scene/environment/wave_field.h"
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

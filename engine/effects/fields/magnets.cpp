@@ -1,7 +1,7 @@
 // Magnets as dipoles: on each other, and in a uniform field.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
-#include "engine/effects/physics/field_effect.h"
+#include "engine/effects/fields/field_effect.h"
 #include "engine/physics/medium.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Magnets wake each other; fixed ones pull.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

@@ -1,5 +1,5 @@
 // Force fields as effects: there only while called for, and named.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

@@ -1,7 +1,7 @@
 // The air that things feel: wind, zones and their switch.
-#include "engine/effects/physics/air.h"
+#include "engine/effects/fields/air.h"
 
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/effects/physics/air.h"
+#include "engine/effects/fields/air.h"
 
 #include "engine/scene/environment/wind_field.h"
 

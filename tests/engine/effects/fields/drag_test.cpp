@@ -1,5 +1,5 @@
 // Who the wind wakes, and who it does not.
-#include "tests/engine/effects/physics/in_fields.h"
+#include "tests/engine/effects/fields/in_fields.h"
 
 namespace plumbline::effects {
 namespace {

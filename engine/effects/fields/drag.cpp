@@ -2,9 +2,9 @@
 #include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
-#include "engine/effects/physics/air.h"
-#include "engine/effects/physics/field_effect.h"
-#include "engine/effects/physics/silhouette_map.h"
+#include "engine/effects/fields/air.h"
+#include "engine/effects/fields/field_effect.h"
+#include "engine/effects/fields/silhouette_map.h"
 #include "engine/physics/medium.h"
 #include "engine/physics/query.h"
 

@@ -1,4 +1,4 @@
-#include "engine/effects/physics/silhouette_map.h"
+#include "engine/effects/fields/silhouette_map.h"
 
 #include <algorithm>
 #include <cmath>
