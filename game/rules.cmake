@@ -22,6 +22,8 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/rules/things.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/things.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules/rules_use.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/drive.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/drive.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules/use.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/use.h")
 plumbline_target_settings(plumbline_rules)

@@ -39,7 +39,7 @@ enum class ActionGroup : std::uint8_t { Walk, Things, View, Light, CameraPath, T
     ROW(Drop, "drop", Things, "Drop the selected object")                                     \
     ROW(Throw, "throw", Things, "Throw (hold to throw harder)")                               \
     ROW(Grab, "grab", Things, "Grab or release")                                              \
-    ROW(Use, "use", Things, "Open, close, switch or sit on the object")                       \
+    ROW(Use, "use", Things, "Open, close, switch, sit on or drive the object")                \
     ROW(RotateHeld, "rotate_held", Things, "Rotate the held object (hold)")                   \
     ROW(Push, "push", Things, "Push the held object away; otherwise: move faster")            \
     ROW(Pull, "pull", Things, "Pull the held object closer; otherwise: move slower")          \

@@ -56,9 +56,9 @@ void Player::act(scene::Simulation& simulation,
     const bool moves = actions.is_held(Action::Forward) || actions.is_held(Action::Back) ||
                        actions.is_held(Action::Left) || actions.is_held(Action::Right);
     const bool falls = state().velocity_mps.y < -kSeatGone_mps;
-    if (moves || falls || !walks || actions.presses(Action::Jump) > 0 ||
-        actions.presses(Action::Crouch) > 0)
-        sits_ = false;
+    const bool leaves =
+        moves || actions.presses(Action::Jump) > 0 || actions.presses(Action::Crouch) > 0;
+    if (falls || !walks || (leaves && !drives_)) stand_up();
     if (sits_) {
         input.crouch = true;
     } else if (walks) {
@@ -80,7 +80,7 @@ void Player::act(scene::Simulation& simulation,
 
 void Player::teleport(const Vec3& feet_m) {
     character_->teleport(feet_m);
-    sits_ = false;
+    stand_up();
     previous_eye_m_ = eye_now_m();
 }
 
@@ -110,9 +110,10 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
     return {};
 }
 
-void Player::sit(const Vec3& seat_m) {
+void Player::sit(const Vec3& seat_m, bool drives) {
     teleport(seat_m);
     sits_ = true;
+    drives_ = drives;
 }
 
 Real Player::change_pace(int notches) {

@@ -25,9 +25,9 @@ public:
     void teleport(const Vec3& feet_m);
     /// A place on what is looked at where one can sit: a level face at the height of a seat, with room above.
     std::optional<Vec3> seat_at(const scene::Simulation& simulation, const Looked& looked) const;
-    /// Sits there, until the person walks, jumps, crouches or stands up.
-    void sit(const Vec3& seat_m);
-    void stand_up() { sits_ = false; }
+    /// Sits there, until the person walks, jumps, crouches or stands up; one who drives, until the person stands up.
+    void sit(const Vec3& seat_m, bool drives = false);
+    void stand_up() { sits_ = drives_ = false; }
     bool sits() const { return sits_; }
     /// One notch of the wheel: +1 faster, -1 slower. Returns the walking speed, m/s.
     Real change_pace(int notches);
@@ -37,7 +37,7 @@ public:
     const physics::CharacterDef& def() const { return character_->def(); }
     physics::BodyId body() const { return character_->body(); }
     void serialize(Archive& archive) {
-        archive(*character_, previous_eye_m_, pace_, stride_m_, sits_, lowered_m_);
+        archive(*character_, previous_eye_m_, pace_, stride_m_, sits_, drives_, lowered_m_);
     }
     /// Of the latest step.
     std::span<const scene::FootstepEvent> footsteps() const { return footsteps_; }
@@ -49,6 +49,7 @@ private:
     std::unique_ptr<physics::Character> character_;
     physics::ShapeId seated_{};  ///< the room that a person takes who sits
     bool sits_{false};
+    bool drives_{false};
     Real lowered_m_{0};  ///< the eye, against that of a person who crouches
     Vec3 previous_eye_m_{0, 0, 0};
     Real pace_{1};

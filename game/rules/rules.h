@@ -4,6 +4,7 @@
 
 #include "engine/scene/game.h"
 #include "game/rules/camera_rig.h"
+#include "game/rules/drive.h"
 #include "game/rules/goal.h"
 #include "game/rules/grab.h"
 #include "game/rules/player.h"
@@ -95,6 +96,7 @@ private:
         std::optional<Swing> door{};
         ecs::Entity lamp{};
         std::optional<Vec3> seat_m{};
+        std::optional<DriverSeat> drive{};
         ecs::Entity entity{};  ///< what is used: the leaf, the lamp, what is sat on
     };
     Use use_at(const scene::Simulation& simulation, const Aim& aim) const;
@@ -151,6 +153,7 @@ private:
     Grab grab_;
     HandKeys keys_;
     Doors doors_;
+    Driver driver_;
     physics::BodyId lifted_{};
     physics::ShapeId explosion_{};  ///< the ball it reaches; none before the first
     std::optional<Goal> goal_;

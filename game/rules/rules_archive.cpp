@@ -25,7 +25,8 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
                    "nobody is there who walks");
     if (archive.failed()) return;
     grab_.serialize(archive, simulation);
-    archive(doors_);
+    archive(doors_, driver_);
+    driver_.forget_gone(simulation);
     if (goal_) archive(*goal_);
     archive(fov_, dropping_, keys_, pointer_, lifted_, viewed_.is_dragged);
 }

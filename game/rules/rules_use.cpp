@@ -87,25 +87,32 @@ PlaygroundGame::Use PlaygroundGame::use_at(const scene::Simulation& simulation,
     if (const auto door = door_at(simulation, *looked, aim.eye_m))
         return {.door = door, .entity = looked->entity};
     if (mode_ != MoveMode::Walk || player_->sits()) return {};
+    if (const auto drive = driver_seat_at(simulation, *looked, player_->body()))
+        return {.drive = drive, .entity = looked->entity};
     if (const auto seat = player_->seat_at(simulation, *looked))
         return {.seat_m = seat, .entity = looked->entity};
     return {};
 }
 
 std::string PlaygroundGame::use_words(const scene::Simulation& simulation, const Use& use) const {
+    if (driver_.drives()) return "get off";
     if (use.lamp) return is_lit(simulation, use.lamp) ? "switch off" : "switch on";
     if (use.door) return use.door->opens ? "open" : "close";
+    if (use.drive) return "drive";
     if (use.seat_m) return "sit down";
     return player_ && player_->sits() ? "stand up" : "";
 }
 
 void PlaygroundGame::use(scene::Simulation& simulation, const Actions& actions) {
     if (actions.presses(Action::Use) > 0) {
-        const Use use = use_at(simulation, aim());
+        const Use use = driver_.drives() ? Use{} : use_at(simulation, aim());
         if (use.lamp) {
             switch_lamp(simulation, use.lamp, !is_lit(simulation, use.lamp));
         } else if (use.door) {
             doors_.swing(*use.door);
+        } else if (use.drive) {
+            player_->sit(use.drive->seat_m, true);
+            driver_.take(use.drive->vehicle);
         } else if (use.seat_m) {
             player_->sit(*use.seat_m);
         } else if (player_ && player_->sits()) {
@@ -114,6 +121,8 @@ void PlaygroundGame::use(scene::Simulation& simulation, const Actions& actions) 
             say("nothing to use");
         }
     }
+    if (player_ && !player_->sits()) driver_.leave(simulation);
+    driver_.act(simulation, actions);
     doors_.push(simulation, grab_.body());
 }
 
