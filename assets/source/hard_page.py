@@ -164,7 +164,6 @@ A looser limit is a commit of its own that says so, and a line here.
 | H83 | the slope of a heap has no closed form; it needs a converged reference, which `plumbline study` makes for any scene |
 | H88 | a scene steps at one rate; `tests/scenarios/families/life_test.cpp` steps unevenly |
 | H89 | it compares several runs; the same file does, bit for bit |
-| H90 | there are no vehicles |
 | C01 to C14 | the walking character is tested in `tests/engine/physics/character/character_test.cpp` |
 
 Smaller than the row asks, so that they load without a warning or end in minutes: H12 is 99 wide, not 100; H31b is 40

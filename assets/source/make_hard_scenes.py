@@ -7,6 +7,7 @@ import pathlib
 
 import hard_contacts
 import hard_driven
+import hard_effects
 import hard_hulls
 import hard_joints
 import hard_motion
@@ -26,7 +27,7 @@ def main():
     for part in (hard_contacts, hard_hulls, hard_rounds, hard_driven):
         part.write_models(models)
     scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion, hard_hulls, hard_rounds,
-                                 hard_driven)
+                                 hard_driven, hard_effects)
               for scene in part.scenes()]
     for scene in scenes:
         scene.known_red = hard_page.KNOWN_RED.get(scene.id, ())

@@ -23,9 +23,10 @@ double SilhouetteMap::at(const Vec3d& direction, const Silhouette& exact) {
 }
 
 double SilhouetteMap::corner(int u, int v, const Silhouette& exact) {
-    if (corners_m2_.empty())
-        corners_m2_.assign(static_cast<std::size_t>((kCells + 1) * (kCells + 1)), -1);
-    double& area_m2 = corners_m2_[static_cast<std::size_t>(v * (kCells + 1) + u)];
+    constexpr std::size_t kAlong = static_cast<std::size_t>(kCells) + 1;
+    if (corners_m2_.empty()) corners_m2_.assign(kAlong * kAlong, -1);
+    double& area_m2 =
+        corners_m2_[static_cast<std::size_t>(v) * kAlong + static_cast<std::size_t>(u)];
     if (area_m2 >= 0) return area_m2;
     const double x = 2.0 * u / kCells - 1;
     const double z = 2.0 * v / kCells - 1;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kSides = 24;  ///< of what stands for a circle
 constexpr int kRings = 8;   ///< of half a ball
+constexpr int kStretches = 60;
+constexpr double kEnough = 1 + 1e-12;
 /// Of the solid's extent: nearer to a plane is on it.
 constexpr double kOnPlane = 1e-9;
 
@@ -168,8 +170,8 @@ Polyhedron stretched(Polyhedron solid, const SolidMass& round, const Vec3d& grow
                                  (mass.inertia[axis][axis] / mass.volume_m3));
         return share;
     };
-    for (double share = most(); share > 1 + 1e-12; share = most()) {
-        const Vec3d by = Vec3d{1.0} + grows * (share - 1);
+    for (int i = 0; i < kStretches; ++i) {
+        const Vec3d by = Vec3d{1.0} + grows * ((most() * kEnough - 1) / 2);
         for (Vec3d& corner : solid.corners_m) corner *= by;
     }
     return solid;

@@ -1,6 +1,7 @@
 // What is left of a body that breaks.
 #pragma once
 
+#include "engine/assets/asset_library.h"
 #include "engine/physics/fracture.h"
 #include "engine/scene/scene_description.h"
 
