@@ -337,6 +337,8 @@ private:
     void add_whole(const EntityDescription& description,
                    const std::string& name,
                    ecs::Entity entity);
+    /// What is left of it will be made of the same, and look so.
+    void note_look(ecs::Entity entity);
     Result<ecs::Entity> make_fragment(EntityDescription description,
                                       const std::string& name,
                                       Fragile fragile);

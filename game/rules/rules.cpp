@@ -116,7 +116,6 @@ Aim PlaygroundGame::aim() const {
 
 void PlaygroundGame::forget_gone(scene::Simulation& simulation) {
     grab_.forget_gone(simulation);
-    things_.forget_gone(simulation);
     doors_.forget_gone(simulation);
     driver_.forget_gone(simulation);
     if (!simulation.physics.contains(lifted_)) lifted_ = {};

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace plumbline::game {
 
@@ -86,6 +87,17 @@ Thing make_from(const scene::EntityDescription& prefab, std::size_t index) {
     if (!thing.description.body) thing.description.body.emplace();
     thing.description.body->kind = physics::BodyKind::Dynamic;
     return thing;
+}
+
+/// What was put into the world and is there, by when: the oldest first. Of what broke, its parts.
+using PutThings = std::map<std::uint64_t, std::vector<ecs::Entity>>;
+
+PutThings put_things(const scene::Simulation& simulation) {
+    PutThings there;
+    for (auto [entity, dropped, ref] :
+         simulation.registry.view<const scene::Dropped, const scene::BodyRef>())
+        there[dropped.serial].push_back(entity);
+    return there;
 }
 
 }  // namespace
@@ -204,12 +216,6 @@ std::optional<Placed> Things::preview(const scene::Simulation& simulation, const
     return placed;
 }
 
-void Things::forget_gone(const scene::Simulation& simulation) {
-    std::erase_if(dropped_, [&](ecs::Entity entity) {
-        return !simulation.registry.has<scene::BodyRef>(entity);
-    });
-}
-
 Result<ecs::Entity> Things::put(scene::Simulation& simulation,
                                 const Aim& aim,
                                 const Vec3& velocity,
@@ -247,7 +253,6 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     }
     ++serial_;
     dress(simulation, entity, thing);
-    dropped_.push_back(entity);
     return entity;
 }
 
@@ -263,14 +268,15 @@ ecs::Entity Things::make_again(scene::Simulation& simulation,
 }
 
 bool Things::undo(scene::Simulation& simulation) {
-    if (dropped_.empty()) return false;
-    destroy(simulation, dropped_.back());
-    dropped_.pop_back();
+    const PutThings there = put_things(simulation);
+    if (there.empty()) return false;
+    for (const ecs::Entity entity : there.rbegin()->second) destroy(simulation, entity);
     return true;
 }
 
 bool Things::keep_limit(scene::Simulation& simulation) {
-    if (dropped_.size() <= kMost) return false;
+    const PutThings there = put_things(simulation);
+    if (there.size() <= kMost) return false;
     // The oldest that sleeps, else the oldest; never what is in the hand.
     const auto may_go = [&](ecs::Entity entity) { return !simulation.registry.has<Held>(entity); };
     const auto sleeps = [&](ecs::Entity entity) {
@@ -278,10 +284,14 @@ bool Things::keep_limit(scene::Simulation& simulation) {
                !simulation.physics.state(simulation.registry.get<scene::BodyRef>(entity).body)
                     .awake;
     };
-    auto oldest = std::find_if(dropped_.begin(), dropped_.end(), sleeps);
-    if (oldest == dropped_.end()) oldest = std::find_if(dropped_.begin(), dropped_.end(), may_go);
-    destroy(simulation, *oldest);
-    dropped_.erase(oldest);
+    const auto first = [&](const auto& all_are) {
+        return std::ranges::find_if(
+            there, [&](const auto& one) { return std::ranges::all_of(one.second, all_are); });
+    };
+    auto oldest = first(sleeps);
+    if (oldest == there.end()) oldest = first(may_go);
+    if (oldest == there.end()) return false;
+    for (const ecs::Entity entity : oldest->second) destroy(simulation, entity);
     return !std::exchange(limit_told_, true);
 }
 

@@ -66,12 +66,10 @@ public:
     /// The box round the chosen thing where it would come to lie if it were dropped now and fell straight
     /// down. None: there is no room for it, or its size is not known before the first one is made.
     std::optional<Placed> preview(const scene::Simulation& simulation, const Aim& aim) const;
-    /// Takes the latest one away; false when there is none.
+    /// Takes the latest one, or all of its parts, away; false when there is none.
     bool undo(scene::Simulation& simulation);
     /// Takes the oldest away while there are too many; true when told for the first time.
     bool keep_limit(scene::Simulation& simulation);
-    /// Strikes what left the world off the list of what was put into it.
-    void forget_gone(const scene::Simulation& simulation);
 
     /// Makes again what a saved game had. Null where there is no such thing.
     ecs::Entity make_again(scene::Simulation& simulation,
@@ -79,7 +77,7 @@ public:
                            const std::string& name);
     void serialize(Archive& archive) {
         archive.within(chosen_, std::size_t{0}, kThingCount - 1);
-        archive(serial_, limit_told_, dropped_);
+        archive(serial_, limit_told_);
     }
 
 private:
@@ -102,7 +100,6 @@ private:
     std::size_t chosen_{0};
     std::uint64_t serial_{0};
     bool limit_told_{false};
-    std::vector<ecs::Entity> dropped_;  ///< oldest first
     std::array<physics::ShapeId, kKinds> boxes_{};
 };
 

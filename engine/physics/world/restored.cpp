@@ -73,7 +73,7 @@ std::string_view fault_of(const BodyRecord& record, const JointTable& joints) {
 }
 
 bool is_possible(const SolverJoint& joint) {
-    const auto is_small = [](Real load) { return std::abs(double{load}) <= kLargest; };
+    const auto is_small = [](Real load) { return std::abs(load) <= static_cast<Real>(kLargest); };
     return is_below(joint.anchor_in_a, kFarthest_m) && is_below(joint.anchor_in_b, kFarthest_m) &&
            is_unit(joint.frame_in_a) && is_unit(joint.frame_in_b) && joint.stiffness_Npm >= 0 &&
            joint.damping_Nspm >= 0 && joint.rest_length_m >= 0 &&

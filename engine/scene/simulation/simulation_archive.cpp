@@ -109,7 +109,9 @@ std::uint32_t SimulationArchive::whole_again(const Remake& remake, const SavedTh
     if (known() == wholes.end()) {
         const ecs::Entity entity =
             made_again(remake, saved.description, saved.whole, saved.is_dropped);
-        if (entity) simulation_.registry.destroy(entity);
+        if (!entity) return static_cast<std::uint32_t>(wholes.size());
+        simulation_.note_look(entity);
+        simulation_.registry.destroy(entity);
         simulation_.forget_destroyed();
     }
     return static_cast<std::uint32_t>(known() - wholes.begin());

@@ -95,12 +95,18 @@ void Simulation::add_whole(const EntityDescription& description,
     const auto mass_kg = static_cast<double>(physics.state(body).mass.mass_kg);
     whole->density_kgpm3 = mass_kg / whole->pattern.volume_m3;
     whole->surface = registry.get<SurfaceRef>(entity).surface;
-    if (const auto* visual = registry.find<Visual>(entity)) whole->materials = visual->materials;
     Fragile fragile{.whole = static_cast<std::uint32_t>(bodies_.wholes.size())};
     fragile.pieces.resize(pieces);
     std::iota(fragile.pieces.begin(), fragile.pieces.end(), 0U);
     registry.add<Fragile>(entity, std::move(fragile));
     bodies_.wholes.push_back(std::move(whole));
+}
+
+void Simulation::note_look(ecs::Entity entity) {
+    const auto* fragile = registry.find<Fragile>(entity);
+    const auto* visual = registry.find<Visual>(entity);
+    if (fragile != nullptr && visual != nullptr)
+        bodies_.wholes[fragile->whole]->materials = visual->materials;
 }
 
 Result<ecs::Entity> Simulation::make_fragment(EntityDescription description,
@@ -129,6 +135,7 @@ void Simulation::break_up(ecs::Entity entity,
     const Quatd turned(state.world_from_body.orientation);
     // A part's own frame lies at the centre of its pieces, along the axes of the whole.
     const bool is_part = was.pieces.size() < whole.pattern.pieces.size();
+    note_look(entity);
     const Vec3d origin_m = is_part ? center_of(whole.pattern, was.pieces) : Vec3d{0, 0, 0};
     std::vector<ecs::Entity> made;
     std::vector<physics::BodyId> bodies;

@@ -190,5 +190,34 @@ TEST_F(SavedPlayground, CutAnywhereItIsRefused) {
     }
 }
 
+// Its whole is in no scene file and gone: it is made once more for its pieces.
+TEST(SavedParts, OfWhatWasDroppedAndBrokeAreThereAgain) {
+    scene::SceneDescription scene = meadow();
+    scene::EntityDescription crate =
+        block("crate", {0.4_r, 0.4_r, 0.4_r}, {0, 0, 0}, physics::BodyKind::Dynamic, 5);
+    crate.body->fracture = scene::FractureDescription{.pieces = 6};
+    scene.prefabs.emplace("crate", crate);
+    Playground there(scene);
+    Playground here(scene);
+    there.step(press({Action::Drop}));
+    there.run(1);
+    const std::vector<std::vector<std::uint32_t>> parts{{0, 1}, {2, 3, 4}, {5}};
+    there.simulation->break_up(there.simulation->find("crate#1"), parts, {2, 3});
+    there.run(0.2);
+    put_back(saved(there), here);
+    EXPECT_EQ(saved(here), saved(there));
+    EXPECT_EQ(here.thing_count(), 3U);
+    const ecs::Entity part = here.simulation->find("crate#1/1");
+    ASSERT_TRUE(part);
+    EXPECT_EQ(here.simulation->registry.get<scene::Fragile>(part).pieces, parts[1]);
+    EXPECT_EQ(here.simulation->registry.get<scene::Fragile>(part).cracked,
+              (std::vector<std::uint32_t>{2, 3}));
+    there.run(1);
+    here.run(1);
+    EXPECT_EQ(here.simulation->state_hash(), there.simulation->state_hash());
+    here.step(press({Action::UndoDrop}));
+    EXPECT_EQ(here.thing_count(), 0U);
+}
+
 }  // namespace
 }  // namespace plumbline::game

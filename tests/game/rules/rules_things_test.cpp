@@ -21,5 +21,27 @@ TEST(RulesThings, AThingInSightIsCalledByItsLabel) {
         << "files and reports go on with its name";
 }
 
+// What it fell into goes with it.
+TEST(RulesThings, UndoTakesAwayAllPartsOfWhatBroke) {
+    scene::SceneDescription scene = meadow();
+    scene::EntityDescription crate =
+        block("crate", {0.4_r, 0.4_r, 0.4_r}, {0, 0, 0}, physics::BodyKind::Dynamic, 5);
+    crate.body->fracture = scene::FractureDescription{.pieces = 6};
+    scene.prefabs.emplace("crate", crate);
+    Playground play(scene);
+    play.step(press({Action::Drop}));
+    play.step(press({Action::Drop}));
+    ASSERT_EQ(play.thing_count(), 2U);
+    const std::vector<std::vector<std::uint32_t>> parts{{0, 1}, {2, 3}, {4, 5}};
+    play.simulation->break_up(play.simulation->find("crate#2"), parts, {});
+    play.run(0.2);
+    EXPECT_EQ(play.thing_count(), 4U);
+    play.step(press({Action::UndoDrop}));
+    EXPECT_EQ(play.thing_count(), 1U);
+    EXPECT_TRUE(play.simulation->find("crate#1"));
+    play.step(press({Action::UndoDrop}));
+    EXPECT_EQ(play.thing_count(), 0U);
+}
+
 }  // namespace
 }  // namespace plumbline::game
