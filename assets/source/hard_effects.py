@@ -80,7 +80,9 @@ def rammed():
         for column in range(5):
             scene.place(f"brick_{row}_{column}", "brick", (0.2502 * (column - 2) + 0.125 * (row % 2), 0.05 + 0.1 * row, 0))
     scene.body("ram", ball(0.2), (0.1, 0.55, 2.5), 60.0, velocity=(0, 0.6, -12), material="iron", friction=0.7,
-               sleep=True, more="rolling_friction = 0.05\n")
+               sleep=True, more="rolling_friction = 0.05\nspinning_friction = 0.02\n")
+    scene.rule("kinetic_J", below=0.05, from_s=7)
+    scene.rule("lowest_m", "ram", above=-0.01)
     return scene
 
 
