@@ -21,7 +21,7 @@ constexpr Real kLowestSeat_m = 0.25_r;
 constexpr Real kHighestSeat_m = 0.7_r;
 constexpr Real kLevelSeat = 0.95_r;   // least height of its normal
 constexpr Real kSeatStep_m = 0.05_r;  // between places that are tried, from what is looked at …
-constexpr Real kSeatDepth_m = 0.5_r;  // … so far towards the person: off the backrest
+constexpr int kSeatSteps = 10;        // … half a metre towards the person: off the backrest
 constexpr Real kSeatAir_m = 0.01_r;
 constexpr Real kSittingLower_m = 0.2_r;  // than crouching
 constexpr Real kSittingDown_mps = 0.8_r;
@@ -101,7 +101,8 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
     const Vec3 way{feet.x - looked.point_m.x, 0, feet.z - looked.point_m.z};
     const Vec3 near = normalize_or(way, Vec3{0, 0, 0});
     const Real half_m = def().crouched_height_m / 2;
-    for (Real aside_m = -kSeatStep_m; aside_m < kSeatDepth_m; aside_m += kSeatStep_m) {
+    for (int step = -1; step < kSeatSteps; ++step) {
+        const Real aside_m = static_cast<Real>(step) * kSeatStep_m;
         const auto seat = face_under(looked.point_m + near * aside_m, kSeatAir_m);
         if (!seat) continue;
         const Pose room{.position = *seat + Vec3{0, half_m + kSeatAir_m, 0}};
