@@ -34,8 +34,6 @@ struct Watched {
 
 class Fracture final : public Effect {
 public:
-    ~Fracture() override = default;
-
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         std::vector<ecs::Entity> breaking;
         simulation.registry.view<scene::Fragile, const scene::BodyRef>().each(
@@ -43,7 +41,8 @@ public:
                 if (fragile.pieces.size() < 2 || !simulation.physics.contains(ref.body)) return;
                 const physics::BodyState state = simulation.physics.state(ref.body);
                 if (!state.awake || !state.pushable()) return;
-                if (strain(simulation, entity, fragile, ref.body)) breaking.push_back(entity);
+                if (strain(simulation, entity, fragile, ref.body, state))
+                    breaking.push_back(entity);
             });
         for (const ecs::Entity entity : breaking) {
             const FractureNetwork& network = watched_.at(entity).network;
@@ -60,15 +59,16 @@ private:
     bool strain(scene::Simulation& simulation,
                 ecs::Entity entity,
                 scene::Fragile& fragile,
-                physics::BodyId body) {
+                physics::BodyId body,
+                const physics::BodyState& state) {
         const scene::FragileWhole& whole = *simulation.wholes()[fragile.whole];
         const scene::FractureDescription& says = *whole.description.body->fracture;
         const auto fidelity = simulation.description().forces.fidelity.fracture;
         Watched& watched = watch(whole, entity, fragile);
-        const auto& state = simulation.physics.state(body);
         const Quatd back = glm::conjugate(Quatd(state.world_from_body.orientation));
         const Vec3d spin_radps = back * Vec3d(state.angular_velocity_radps);
-        std::vector<BodyLoad> loads = loads_in_body(simulation, whole, fragile, body);
+        std::vector<BodyLoad> loads =
+            loads_in_body(simulation, whole, fragile, body, state.world_from_body);
         if (!differ(watched, loads, spin_radps, whole, by_fidelity(fidelity, kUnfelt)))
             return false;
         ++work_.calls;
@@ -111,7 +111,8 @@ private:
     static std::vector<BodyLoad> loads_in_body(const scene::Simulation& simulation,
                                                const scene::FragileWhole& whole,
                                                const scene::Fragile& fragile,
-                                               physics::BodyId body) {
+                                               physics::BodyId body,
+                                               const Pose& at) {
         const double lasts_s = impact_s(whole);
         std::vector<BodyLoad> loads = physics::loads_on(simulation.physics, body, lasts_s);
         for (const scene::Simulation::Blow& blow : simulation.blows) {
@@ -119,11 +120,8 @@ private:
                 loads.push_back({.point_m = Vec3d(blow.point_world),
                                  .force_N = Vec3d(blow.impulse_Ns) / lasts_s});
         }
-        const Pose at = simulation.physics.state(body).world_from_body;
         const Quatd back = glm::conjugate(Quatd(at.orientation));
-        const bool is_part = fragile.pieces.size() < whole.pattern.pieces.size();
-        const Vec3d origin_m =
-            is_part ? scene::center_of(whole.pattern, fragile.pieces) : Vec3d{0, 0, 0};
+        const Vec3d origin_m = scene::origin_of(whole.pattern, fragile.pieces);
         for (BodyLoad& load : loads) {
             load.point_m = origin_m + back * (load.point_m - Vec3d(at.position));
             load.force_N = back * load.force_N;

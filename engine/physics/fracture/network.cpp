@@ -1,4 +1,5 @@
 // The rigid-body-spring network of a body's pieces: what loads do to its bonds.
+#include "engine/physics/collision/shape/mass.h"
 #include "engine/physics/dynamics/joint/block/block_ldlt.h"
 #include "engine/physics/fracture/bond_stress.h"
 
@@ -33,9 +34,7 @@ void add_matrix(Symmetric3& to, const glm::dmat3& m) {
 
 /// Pieces that hang together, as one rigid body.
 struct Cluster {
-    double mass_kg{0};
-    Vec3d center_m{0, 0, 0};
-    glm::dmat3 inertia_kgm2{0.0};
+    SolidMass solid;
     Vec3d force_N{0, 0, 0};
     Vec3d torque_Nm{0, 0, 0};  ///< about the centre
     Vec3d acceleration_mps2{0, 0, 0};
@@ -230,13 +229,13 @@ struct FractureNetwork::Impl {
             Cluster& cluster = all[cluster_of[node_of[piece]]];
             cluster.force_N += load.force_N;
             cluster.torque_Nm +=
-                load.torque_Nm + glm::cross(load.point_m - cluster.center_m, load.force_N);
+                load.torque_Nm + glm::cross(load.point_m - cluster.solid.center_m, load.force_N);
         }
         for (Cluster& cluster : all) {
-            cluster.acceleration_mps2 = cluster.force_N / cluster.mass_kg;
-            const Vec3d spun = glm::cross(spin_radps, cluster.inertia_kgm2 * spin_radps);
-            cluster.turning_radps2 =
-                glm::inverse(cluster.inertia_kgm2) * (cluster.torque_Nm - spun);
+            cluster.acceleration_mps2 = cluster.force_N / (density_kgpm3 * cluster.solid.volume_m3);
+            const glm::dmat3 inertia_kgm2 = density_kgpm3 * cluster.solid.inertia;
+            const Vec3d spun = glm::cross(spin_radps, inertia_kgm2 * spin_radps);
+            cluster.turning_radps2 = glm::inverse(inertia_kgm2) * (cluster.torque_Nm - spun);
         }
         for (std::uint32_t i = 0; i < pieces.size(); ++i)
             resist(i, all[cluster_of[i]], spin_radps, pulls[i]);
@@ -246,7 +245,7 @@ struct FractureNetwork::Impl {
     /// By its inertia (d'Alembert).
     void resist(std::uint32_t node, const Cluster& cluster, const Vec3d& spin, Pull& pull) const {
         const FracturePiece& piece = pattern.pieces[pieces[node]];
-        const Vec3d arm_m = piece.center_m - cluster.center_m;
+        const Vec3d arm_m = piece.center_m - cluster.solid.center_m;
         const Vec3d& turning = cluster.turning_radps2;
         const Vec3d mps2 = cluster.acceleration_mps2 + glm::cross(turning, arm_m) +
                            glm::cross(spin, glm::cross(spin, arm_m));
@@ -261,20 +260,11 @@ struct FractureNetwork::Impl {
         std::vector<Cluster> all(clusters);
         for (std::uint32_t i = 0; i < pieces.size(); ++i) {
             const FracturePiece& piece = pattern.pieces[pieces[i]];
-            Cluster& cluster = all[cluster_of[i]];
-            cluster.mass_kg += density_kgpm3 * piece.volume_m3;
-            cluster.center_m += density_kgpm3 * piece.volume_m3 * piece.center_m;
-        }
-        for (Cluster& cluster : all) cluster.center_m /= cluster.mass_kg;
-        for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-            const FracturePiece& piece = pattern.pieces[pieces[i]];
-            Cluster& cluster = all[cluster_of[i]];
-            const Vec3d arm_m = piece.center_m - cluster.center_m;
-            const double square = glm::dot(arm_m, arm_m);
-            cluster.inertia_kgm2 +=
-                density_kgpm3 *
-                (piece.inertia_m5 +
-                 piece.volume_m3 * (square * glm::dmat3{1.0} - glm::outerProduct(arm_m, arm_m)));
+            SolidMass& solid = all[cluster_of[i]].solid;
+            solid = joined(solid,
+                           {.volume_m3 = piece.volume_m3,
+                            .center_m = piece.center_m,
+                            .inertia = piece.inertia_m5});
         }
         return all;
     }

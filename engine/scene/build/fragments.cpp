@@ -85,15 +85,16 @@ double volume_m3(const physics::FracturePattern& pattern, std::span<const std::u
 
 }  // namespace
 
-Vec3d center_of(const physics::FracturePattern& pattern, std::span<const std::uint32_t> pieces) {
+Vec3d origin_of(const physics::FracturePattern& pattern, std::span<const std::uint32_t> pieces) {
     Vec3d sum{0, 0, 0};
+    if (pieces.size() == pattern.pieces.size()) return sum;
     for (const std::uint32_t piece : pieces)
         sum += pattern.pieces[piece].volume_m3 * pattern.pieces[piece].center_m;
     return sum / volume_m3(pattern, pieces);
 }
 
 EntityDescription fragment_of(const FragileWhole& whole, std::span<const std::uint32_t> pieces) {
-    const Vec3d center_m = center_of(whole.pattern, pieces);
+    const Vec3d center_m = origin_of(whole.pattern, pieces);
     EntityDescription part;
     part.label = whole.description.label;
     part.material = whole.description.material;

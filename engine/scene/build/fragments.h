@@ -23,8 +23,8 @@ struct FragileWhole {
     std::optional<double> broke_at_s{};
 };
 
-/// Of some of its pieces, by their mass.
-Vec3d center_of(const physics::FracturePattern& pattern, std::span<const std::uint32_t> pieces);
+/// Where the frame of a body of these pieces lies in the pattern, along the same axes: the whole has its own, a part that of its centre.
+Vec3d origin_of(const physics::FracturePattern& pattern, std::span<const std::uint32_t> pieces);
 
 /// Some of its pieces as a thing of its own, whose origin is their centre: hulls, drawn with their cut faces. Pose and velocity are left
 /// to the caller.

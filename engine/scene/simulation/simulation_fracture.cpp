@@ -12,7 +12,7 @@
 namespace plumbline::scene {
 namespace {
 
-/// Mass, momentum and angular momentum of bodies as one.
+/// Bodies as one.
 struct Together {
     double mass_kg{0};
     Vec3d center_m{0, 0, 0};
@@ -133,14 +133,12 @@ void Simulation::break_up(ecs::Entity entity,
     const physics::BodyId body = registry.get<BodyRef>(entity).body;
     const physics::BodyState state = physics.state(body);
     const Quatd turned(state.world_from_body.orientation);
-    // A part's own frame lies at the centre of its pieces, along the axes of the whole.
-    const bool is_part = was.pieces.size() < whole.pattern.pieces.size();
+    const Vec3d origin_m = origin_of(whole.pattern, was.pieces);
     note_look(entity);
-    const Vec3d origin_m = is_part ? center_of(whole.pattern, was.pieces) : Vec3d{0, 0, 0};
     std::vector<ecs::Entity> made;
     std::vector<physics::BodyId> bodies;
     for (const std::vector<std::uint32_t>& pieces : parts) {
-        const Vec3d at_m = center_of(whole.pattern, pieces);
+        const Vec3d at_m = origin_of(whole.pattern, pieces);
         EntityDescription part = fragment_of(whole, pieces);
         part.world_from_body.position =
             state.world_from_body.position + Vec3(turned * (at_m - origin_m));
@@ -172,7 +170,7 @@ void Simulation::hand_over(physics::BodyId body, std::span<const ecs::Entity> pa
             const physics::FracturePattern& pattern = bodies_.wholes[fragile.whole]->pattern;
             const Pose& pose = registry.get<Transform>(part).world_from_body;
             const Vec3d point_m = Vec3d(transform_point(invert(pose), point_world)) +
-                                  center_of(pattern, fragile.pieces);
+                                  origin_of(pattern, fragile.pieces);
             const std::uint32_t piece = pattern.piece_at(point_m, fragile.pieces);
             return glm::distance(pattern.pieces[piece].seed_m, point_m);
         };
