@@ -6,10 +6,12 @@
 
 #include "engine/physics/force_field.h"
 #include "engine/physics/point_body.h"
+#include "engine/physics/self_contacts.h"
 #include "engine/physics/surface_contacts.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct DeformablePin {
 struct DeformableDef {
     double thickness_m{0.004};
     double friction{0.5};
+    bool self_collision{false};
     double substeps_per_s{6000};  ///< at most
     std::vector<DeformablePin> pins{};
 };
@@ -105,7 +108,8 @@ private:
     std::vector<Load> felt_;    ///< in the latest step
     std::vector<BodyId> seen_;  ///< what was near in the step before
     SurfaceContacts contacts_;
-    double blowing_mps_{0};  ///< the fastest air
+    std::optional<SelfContacts> self_contacts_;  ///< of one that touches itself
+    double blowing_mps_{0};                      ///< the fastest air
     double step_s_{0};
     double done_s_{0};           ///< of the step
     std::vector<Vec3d> kept_m_;  ///< its points at the start of the sub-step

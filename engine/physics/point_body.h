@@ -21,6 +21,12 @@ struct SurfacePlace {
     std::array<double, 4> weights{};
 };
 
+/// What a surface is made of, by numbers of points; without what is torn.
+struct SurfaceParts {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
 /// Sums over all points.
 struct PointTotals {
     Vec3d moment_kgm{0, 0, 0};  ///< of mass times place
@@ -80,6 +86,8 @@ public:
     virtual void set_air(std::size_t, const Vec3d&) {}
     /// Places that may touch others, `along` of them on the side of each cell, both corners counted as one.
     virtual std::vector<SurfacePlace> places(std::uint32_t along) const = 0;
+    /// For a surface that may touch itself.
+    virtual void list_parts(SurfaceParts& parts) const { parts = {}; }
     virtual double longest_side_m() const = 0;  ///< of a cell at rest
     PointTotals totals() const;
 

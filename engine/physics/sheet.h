@@ -45,6 +45,7 @@ public:
         air_mps_[point] = velocity_mps;
     }
     std::vector<SurfacePlace> places(std::uint32_t along) const override;
+    void list_parts(SurfaceParts& parts) const override;
     double longest_side_m() const override { return std::max(cell_m_[0], cell_m_[1]); }
 
     double area_m2() const;
@@ -64,6 +65,9 @@ private:
     double weight_of(std::size_t point) const override {
         return weights_.empty() ? 1 : weights_[point];
     }
+    /// Two triangles a cell; diagonals alternate.
+    template <class F>
+    void for_triangles(const F& visit) const;
     void add_threads();
     void find_across();
     void add_stretch();

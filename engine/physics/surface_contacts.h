@@ -38,6 +38,10 @@ struct NearBody {
     void move(double h);
 };
 
+/// How fast what is so far apart must part at least, so that nothing sinks in within `h`; below 0: it may approach. What has sunk
+/// in comes out little by little.
+double wanted_opening_mps(double gap_m, double h);
+
 class SurfaceContacts {
 public:
     /// Forgets what there was and looks for what may touch within `seconds`, as bodies are at their start.

@@ -61,6 +61,7 @@ Deformable::Deformable(const PhysicsWorld& world,
       thickness_m_(def.thickness_m),
       friction_(def.friction),
       substeps_per_s_(def.substeps_per_s) {
+    if (def.self_collision) self_contacts_.emplace(*body_, thickness_m_, friction_);
     for (const DeformablePin& pin : def.pins) {
         if (body_->is_pinned(pin.point)) continue;
         body_->pin(pin.point);
@@ -199,6 +200,7 @@ void Deformable::act(const PhysicsWorld& world,
     if (asleep_) return;
     place_near(bodies, seconds);
     contacts_.find(world, *body_, near_, thickness_m_, seconds);
+    if (self_contacts_) self_contacts_->find(*body_, seconds);
     const Vec3d gravity_mps2(world.def().gravity_mps2);
     kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
     const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
@@ -278,6 +280,7 @@ void Deformable::substep(const Vec3d& gravity_mps2, double h, double left_s) {
     lead_pins(h, left_s);
     body_->accelerate(gravity_mps2);
     load_holders();
+    if (self_contacts_) self_contacts_->solve(*body_, h);
     contacts_.solve(*body_, near_, h);
     body_->move();
     contacts_.follow(*body_, near_, h);
@@ -320,6 +323,7 @@ void Deformable::Load::serialize(Archive& archive) {
 void Deformable::serialize(Archive& archive) {
     body_->serialize(archive);
     archive(calm_m_, calm_s_, asleep_, seen_, loads_, felt_, expected_);
+    if (self_contacts_) self_contacts_->serialize(archive);
 }
 
 }  // namespace plumbline::physics

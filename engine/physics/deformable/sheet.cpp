@@ -123,6 +123,36 @@ std::vector<SurfacePlace> Sheet::places(std::uint32_t along) const {
     return places;
 }
 
+template <class F>
+void Sheet::for_triangles(const F& visit) const {
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const bool falls = (row + column) % 2 == 0;
+            visit(top, below, falls ? below + 1 : top + 1);
+            visit(falls ? top : below, below + 1, top + 1);
+        }
+    }
+}
+
+void Sheet::list_parts(SurfaceParts& parts) const {
+    parts = {};
+    const auto number = [](std::size_t point) { return static_cast<std::uint32_t>(point); };
+    for_triangles([&](std::size_t a, std::size_t b, std::size_t c) {
+        // The cell's corner at the top left, whichever half of it the triangle is.
+        const std::size_t top = std::min({a, b, c});
+        const std::size_t column = std::min({a % columns_, b % columns_, c % columns_});
+        if (torn_ > 0 && !is_whole(number(column), number(top / columns_))) return;
+        parts.triangles.push_back({number(a), number(b), number(c)});
+    });
+    for (const ThreadFamily& family : families_) {
+        for (const Thread& thread : family.threads) {
+            if (thread.stiffness_Npm > 0) parts.edges.push_back({thread.a, thread.b});
+        }
+    }
+}
+
 void Sheet::add_forces() {
     add_stretch();
     add_shear();
@@ -269,15 +299,7 @@ void Sheet::add_drag() {
         impulses_Ns_[b] -= push;
         impulses_Ns_[c] -= push;
     };
-    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
-        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
-            const std::size_t top = at(column, row);
-            const std::size_t below = top + columns_;
-            const bool falls = (row + column) % 2 == 0;  // diagonals alternate
-            add(top, below, falls ? below + 1 : top + 1);
-            add(falls ? top : below, below + 1, top + 1);
-        }
-    }
+    for_triangles(add);
 }
 
 void Sheet::after_move() {

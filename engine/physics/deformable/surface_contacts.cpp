@@ -34,6 +34,10 @@ Vec3d velocity_of(const PointBody& body,
 
 }  // namespace
 
+double wanted_opening_mps(double gap_m, double h) {
+    return gap_m > 0 ? -gap_m / h : std::min(-gap_m * kOut_per_s, kOut_mps);
+}
+
 void NearBody::push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
     felt_Ns += impulse_Ns;
     if (state == nullptr) return;
@@ -115,8 +119,7 @@ void SurfaceContacts::follow(const PointBody& body, std::span<const NearBody> ne
 void SurfaceContacts::solve_one(Contact& contact, PointBody& body, NearBody& near, double h) {
     const Vec3d relative = velocity_of(body, near, contact.place, contact.arm_m);
     const double opening = glm::dot(contact.normal, relative);
-    const double wanted =
-        contact.gap_m > 0 ? -contact.gap_m / h : std::min(-contact.gap_m * kOut_per_s, kOut_mps);
+    const double wanted = wanted_opening_mps(contact.gap_m, h);
     if (opening >= wanted && contact.pressed_Ns == 0) return;
     double inverse_mass = near.inverse_mass;
     for (std::size_t i = 0; i < 4; ++i)
