@@ -12,6 +12,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
+#include "engine/scene/environment/basin.h"
 #include "engine/scene/environment/vehicle.h"
 #include "engine/scene/environment/wave_field.h"
 #include "engine/scene/scene_description.h"
@@ -114,6 +115,16 @@ struct SceneDeformable {
     std::function<void(std::span<const Vec3d> points_m, assets::MeshData& mesh)> shape_mesh;
 };
 
+/// A water of the scene file.
+struct SceneWater {
+    Vec3d min_m{0, 0, 0};
+    Vec3d max_m{0, 0, 0};          ///< y: the level
+    ecs::Entity surface{};         ///< what is drawn of it; null: nothing
+    std::optional<Basin> basin{};  ///< none: it fills its box
+    std::unique_ptr<WaveField>
+        waves{};  ///< of a surface that is not flat, while effect water lives
+};
+
 /// Who asks for contact events: they are made while somebody does.
 class ContactListeners {
 public:
@@ -208,9 +219,8 @@ public:
     std::vector<Blow> blows;               ///< until the end of the step
     std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
     ForceFields force_fields;              ///< of the effects there are
-    /// By the description's waters, while effect water lives: null where the surface is flat.
-    std::vector<std::unique_ptr<WaveField>> waves;
-    ContactListeners contact_listeners;  ///< contact events are made while there are any
+    std::vector<SceneWater> waters;        ///< as the description has them
+    ContactListeners contact_listeners;    ///< contact events are made while there are any
 
     const SceneDescription& description() const { return description_; }
     const SurfaceTable& surfaces() const { return surfaces_; }

@@ -17,8 +17,8 @@ namespace {
 /// What displaced water has risen by, and waves.
 double water_J(const Simulation& simulation) {
     double sum = simulation.force_fields.energy_J("buoyancy");
-    for (const auto& waves : simulation.waves)
-        sum += waves ? waves->energy_J() + waves->raised_J() : 0;
+    for (const SceneWater& water : simulation.waters)
+        sum += water.waves ? water.waves->energy_J() + water.waves->raised_J() : 0;
     return sum;
 }
 

@@ -78,7 +78,7 @@ public:
 
     /// The body's motion in the step does work on the waves: as much as they did on it, at the surface that it felt.
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        if (simulation.waves.empty()) return;
+        if (!has_waves()) return;
         for (const scene::MovingBody& moving : simulation.moving_bodies()) {
             auto* entry = moving.awake ? receivers_.find(moving.body) : nullptr;
             if (entry == nullptr || waves_of(entry->own) == nullptr) continue;
@@ -134,7 +134,7 @@ private:
     }
 
     void prepare() override {
-        if (!simulation_.waves.empty()) wake_by_waves();
+        if (has_waves()) wake_by_waves();
         for (const scene::MovingBody& moving : simulation_.moving_bodies()) {
             if (!moving.awake || !receivers_.has(moving.body)) continue;
             follow(moving.body, receivers_.find(moving.body)->own);
@@ -271,7 +271,7 @@ private:
         const physics::PhysicsWorld& world = simulation_.physics;
         Submersion below =
             physics::submersion(world, body, {center, orientation}, level_m(own), direction);
-        const auto ground_m = static_cast<double>(water_of(own).min_m.y);
+        const double ground_m = place_of(own).min_m.y;
         if (below.volume_m3 <= 0 || center.y - own.radius_m > ground_m) return below;
         const Submersion under =
             physics::submersion(world, body, {center, orientation}, ground_m, direction);
@@ -288,14 +288,14 @@ private:
         own.water = -1;
         own.rise_m = 0;
         own.slope = {0, 0};
-        const std::vector<scene::WaterDescription>& waters =
-            simulation_.description().forces.waters;
+        const std::vector<scene::SceneWater>& waters = simulation_.waters;
         for (std::size_t i = 0; i < waters.size(); ++i) {
-            const Vec3d low(waters[i].min_m);
-            const Vec3d high(waters[i].max_m);
+            const Vec3d& low = waters[i].min_m;
+            const Vec3d& high = waters[i].max_m;
             if (center.x < low.x || center.x > high.x || center.z < low.z || center.z > high.z ||
                 center.y + own.radius_m < low.y)
                 continue;
+            if (waters[i].basin && !waters[i].basin->holds(center.x, center.z)) continue;
             Afloat there = own;
             there.water = static_cast<int>(i);
             if (const scene::WaveField* waves = waves_of(there)) {
@@ -328,14 +328,18 @@ private:
     const scene::WaterDescription& water_of(const Afloat& own) const {
         return simulation_.description().forces.waters[static_cast<std::size_t>(own.water)];
     }
+    const scene::SceneWater& place_of(const Afloat& own) const {
+        return simulation_.waters[static_cast<std::size_t>(own.water)];
+    }
     scene::WaveField* waves_of(const Afloat& own) const {
-        const auto number = static_cast<std::size_t>(own.water);
-        return own.water >= 0 && number < simulation_.waves.size() ? simulation_.waves[number].get()
-                                                                   : nullptr;
+        return own.water >= 0 ? place_of(own).waves.get() : nullptr;
     }
-    double level_m(const Afloat& own) const {
-        return static_cast<double>(water_of(own).max_m.y) + own.rise_m;
+    bool has_waves() const {
+        return std::ranges::any_of(simulation_.waters, [](const scene::SceneWater& water) {
+            return water.waves != nullptr;
+        });
     }
+    double level_m(const Afloat& own) const { return place_of(own).max_m.y + own.rise_m; }
     double density_of(const Afloat& own) const {
         return static_cast<double>(water_of(own).density_kgpm3);
     }

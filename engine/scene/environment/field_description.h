@@ -15,6 +15,10 @@
 #include <string>
 #include <vector>
 
+namespace plumbline {
+class Archive;
+}
+
 namespace plumbline::scene {
 
 /// `drag` of a body: how air pushes it. Also a component.
@@ -46,17 +50,19 @@ struct WaveStart {
     int nz{0};
 };
 
-/// `[[water]]`: a box of water.
+/// `[[water]]`: a box of water, or what an entity's mesh holds.
 struct WaterDescription {
     std::string name;
+    std::string basin;  ///< the entity; empty: the box
     Vec3 min_m{0, 0, 0};
-    Vec3 max_m{0, 0, 0};  ///< y: the level
+    Vec3 max_m{0, 0, 0};  ///< y: the level, of a basin too, which has the rest from its mesh
     Real density_kgpm3{1000};
     WaterSurface surface{WaterSurface::Flat};
     WaveStart start{};  ///< of waves
     Real drag{1};       ///< times all that resists motion in it; 0: buoyancy alone
     Vec3 flow_mps{0, 0, 0};
     std::vector<Vec2> probes_m;  ///< world x and z
+    std::string material;        ///< what its surface looks like; empty: it is not drawn
     SourceLocation location{};
 };
 
@@ -84,6 +90,15 @@ struct FieldFidelity {
     Fidelity cloth{Fidelity::Balanced};
     Fidelity soft{Fidelity::Balanced};
     Fidelity vehicles{Fidelity::Balanced};
+};
+
+/// What stands in for the fidelity of one effect.
+struct EffectFidelity {
+    std::string effect;
+    Fidelity fidelity{Fidelity::Balanced};
+
+    void serialize(Archive& archive);
+    friend bool operator==(const EffectFidelity&, const EffectFidelity&) = default;
 };
 
 /// What pushes and pulls bodies beside gravity, contacts and joints.

@@ -43,6 +43,8 @@ WaveField::WaveField(const WaterDescription& water, int modes, double gravity_mp
     const auto nz = static_cast<std::size_t>(start.nz);
     if (nx < count_ && nz < count_ && nx + nz > 0)
         modes_[nx * count_ + nz].height_m = static_cast<double>(start.amplitude_m);
+    remember();
+    remember();
 }
 
 void WaveField::advance(double seconds) {
@@ -58,6 +60,13 @@ void WaveField::advance(double seconds) {
         mode.height_m = height;
     }
     fall_asleep(seconds);
+    remember();
+}
+
+void WaveField::remember() {
+    std::swap(drawn_m_[0], drawn_m_[1]);
+    drawn_m_[1].resize(modes_.size());
+    for (std::size_t i = 0; i < modes_.size(); ++i) drawn_m_[1][i] = modes_[i].height_m;
 }
 
 void WaveField::fall_asleep(double seconds) {
@@ -166,6 +175,33 @@ WaveField::Range WaveField::range() const {
         }
     }
     return range;
+}
+
+void WaveField::sample(std::size_t side, double blend, std::span<double> heights_m) const {
+    std::vector<double> shapes(side *
+                               count_);  // cos(m pi i / (side - 1)), the same along both sides
+    for (std::size_t i = 0; i < side; ++i) {
+        for (std::size_t m = 0; m < count_; ++m)
+            shapes[i * count_ + m] = portable_cos(kHalfTurn_rad * static_cast<double>(m * i) /
+                                                  static_cast<double>(side - 1));
+    }
+    std::vector<double> along_z(side * count_, 0);  // summed over n: by row, then m
+    for (std::size_t m = 0; m < count_; ++m) {
+        for (std::size_t n = 0; n < count_; ++n) {
+            const std::size_t mode = m * count_ + n;
+            const double height_m = glm::mix(drawn_m_[0][mode], drawn_m_[1][mode], blend);
+            for (std::size_t row = 0; row < side; ++row)
+                along_z[row * count_ + m] += height_m * shapes[row * count_ + n];
+        }
+    }
+    for (std::size_t row = 0; row < side; ++row) {
+        for (std::size_t column = 0; column < side; ++column) {
+            double sum = 0;
+            for (std::size_t m = 0; m < count_; ++m)
+                sum += along_z[row * count_ + m] * shapes[column * count_ + m];
+            heights_m[row * side + column] = sum;
+        }
+    }
 }
 
 void WaveField::serialize(Archive& archive) {

@@ -4,6 +4,9 @@
 #include "engine/core/math.h"
 #include "engine/scene/environment/field_description.h"
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace plumbline {
@@ -46,6 +49,9 @@ public:
     };
     /// Over a grid of 33 x 33 places.
     Range range() const;
+    /// Heights above the level at `side` x `side` places from wall to wall, row by row along z. `blend`: 0: as they were after the
+    /// step before the latest, 1: as they are.
+    void sample(std::size_t side, double blend, std::span<double> heights_m) const;
     /// Whether nothing has moved by a tenth of a millimetre, or was displaced, for a second: then it lies level and costs
     /// nothing.
     bool is_asleep() const { return quiet_s_ >= 1; }
@@ -71,6 +77,7 @@ private:
     /// The mean square of a mode's shape over the basin.
     double norm(std::size_t m, std::size_t n) const;
     void fall_asleep(double seconds);
+    void remember();
 
     Vec3d min_m_;
     Vec3d size_m_;
@@ -79,6 +86,8 @@ private:
     std::size_t count_;        ///< modes along each side
     std::vector<Mode> modes_;  ///< m * count_ + n; the first is the mean level
     double quiet_s_{0};
+    std::array<std::vector<double>, 2>
+        drawn_m_;  ///< of the modes, after the latest two steps; not saved
 };
 
 }  // namespace plumbline::scene

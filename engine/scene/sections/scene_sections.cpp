@@ -119,29 +119,10 @@ void read_effects(TableReader& root, SceneDescription& scene) {
         settings->finish();  // none of them has settings so far
         scene.effect_settings.emplace(name, settings->location());
     }
-    FieldFidelity& fields = scene.forces.fidelity;
-    const std::array<std::pair<std::string_view, Fidelity*>, 17> with_fidelity{
-        {{"wind", &fields.wind},
-         {"drag", &fields.drag},
-         {"buoyancy", &fields.buoyancy},
-         {"water", &fields.water},
-         {"explosion", &fields.explosion},
-         {"fracture", &fields.fracture},
-         {"conveyor", &fields.conveyor},
-         {"magnets", &fields.magnets},
-         {"rope", &fields.rope},
-         {"cloth", &fields.cloth},
-         {"soft", &fields.soft},
-         {"vehicles", &fields.vehicles},
-         {"fountain", &scene.fountain_fidelity},
-         {"ambient_occlusion", &scene.screen_fidelity.occlusion},
-         {"sun_shafts", &scene.screen_fidelity.shafts},
-         {"depth_of_field", &scene.screen_fidelity.focus},
-         {"motion_blur", &scene.screen_fidelity.shutter}}};
-    for (const auto& [name, fidelity] : with_fidelity) {
+    for (const std::string_view name : effects_with_fidelity()) {
         auto settings = table->table(name);
         if (!settings) continue;
-        read_fidelity(*settings, *fidelity);
+        read_fidelity(*settings, *fidelity_of(scene, name));
         settings->finish();
         scene.effect_settings.emplace(name, settings->location());
     }

@@ -4,6 +4,7 @@
 #include "engine/scene/sections/scene_parts.h"
 #include "engine/scene/simulation.h"
 #include "engine/scene/simulation/entity_lookup.h"
+#include "engine/scene/simulation/scene_water.h"
 
 #include <fmt/format.h>
 
@@ -170,6 +171,10 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
     }
     for (const ArrayDescription& array : description.arrays) {
         const Result<Done> made = build_array(array, simulation->builder());
+        if (!made) return made.error();
+    }
+    for (const WaterDescription& water : description.forces.waters) {
+        const Result<Done> made = add_water(*simulation, water);
         if (!made) return made.error();
     }
     for (const JointDescription& joint : description.joints) {

@@ -43,6 +43,11 @@ Simulation::Simulation(SceneDescription description,
       surfaces_(std::move(surfaces)),
       clock_{.step_s = physics.def().step_s},
       open_(std::make_shared<bool>(true)) {
+    std::vector<EffectFidelity>& chosen = description_.accuracy.fidelity;
+    if (!overrides.fidelity.empty()) chosen = overrides.fidelity;
+    for (const EffectFidelity& each : chosen) {
+        if (Fidelity* place = fidelity_of(description_, each.effect)) *place = each.fidelity;
+    }
     switches.textures = !description_.viewer;
     if (description_.sun) {
         const SunDescription& sun = *description_.sun;
@@ -252,8 +257,8 @@ std::uint64_t Simulation::state_hash() const {
         const Real numbers[] = {p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z, w.x, w.y, w.z};
         hasher.add(numbers, sizeof numbers);
     }
-    for (const auto& surface : waves) {
-        if (surface) surface->hash(hasher);
+    for (const SceneWater& water : waters) {
+        if (water.waves) water.waves->hash(hasher);
     }
     for (const auto* list : {&bodies_.cloths, &bodies_.softs}) {
         for (const SceneDeformable& each : *list) {

@@ -64,6 +64,7 @@ Result<Done> Simulation::add_cloth(const ClothDescription& description) {
     physics::DeformableDef def{
         .thickness_m = description.thickness_m,
         .friction = description.friction,
+        .self_collision = description.self_collision,
         .substeps_per_s = kWork_ps[fidelity] / ((cells[0] + 1) * (cells[1] + 1)),
         .pins = {}};
     for (const ClothPinDescription& pin : description.pins) {

@@ -123,16 +123,17 @@ void add_softs(JsonText& json, const Simulation& simulation) {
 
 void add_waters(JsonText& json, const Simulation& simulation) {
     json.key("waters").begin_array();
-    const std::vector<WaterDescription>& waters = simulation.description().forces.waters;
-    for (std::size_t i = 0; i < waters.size(); ++i) {
-        const WaterDescription& water = waters[i];
-        const WaveField* waves = i < simulation.waves.size() ? simulation.waves[i].get() : nullptr;
-        const auto level_m = static_cast<double>(water.max_m.y);
-        const Vec3d size_m(water.max_m - water.min_m);
+    for (std::size_t i = 0; i < simulation.waters.size(); ++i) {
+        const WaterDescription& water = simulation.description().forces.waters[i];
+        const SceneWater& there = simulation.waters[i];
+        const WaveField* waves = there.waves.get();
+        const double level_m = there.max_m.y;
+        const Vec3d size_m = there.max_m - there.min_m;
         const WaveField::Range range = waves != nullptr ? waves->range() : WaveField::Range{};
         json.begin_object();
         json.key("name").text(water.name);
-        json.key("volume_m3").number(size_m.x * size_m.y * size_m.z);
+        json.key("volume_m3")
+            .number(there.basin ? there.basin->volume_m3() : size_m.x * size_m.y * size_m.z);
         json.key("level_m").begin_object();
         json.key("min").number(level_m + range.min_m);
         json.key("mean").number(level_m + range.mean_m);

@@ -66,13 +66,30 @@ void read_probes(TableReader& table, std::vector<Vec2>& probes) {
     }
 }
 
+void read_basin(TableReader& table, WaterDescription& water) {
+    table.read("basin", water.basin);
+    for (const char* key : {"min_m", "max_m"}) {
+        if (table.has(key)) table.error(key, "a basin's mesh says where its water is");
+    }
+    table.require("level_m", "the height of the surface in m, world");
+    table.read("level_m", water.max_m.y, kCoordinate_m);
+    if (water.surface == WaterSurface::Flat) return;
+    table.warning("surface", "waves need a box of water; in a basin it lies flat");
+    water.surface = WaterSurface::Flat;
+}
+
 void read_water(TableReader& table, WaterDescription& water) {
     table.read("name", water.name);
-    read_box(table, water);
     table.read("density_kgpm3", water.density_kgpm3, {1e-3, 1e5, "kg/m3 from 0.001 to 100000"});
     table.read("drag", water.drag, {0, 1000, "a factor from 0 to 1000"});
     table.read("flow_mps", water.flow_mps, kSpeed_mps);
     table.read_choice("surface", water.surface, {"flat", "waves"});
+    if (table.has("basin")) {
+        read_basin(table, water);
+    } else {
+        read_box(table, water);
+    }
+    table.read("material", water.material);
     if (auto start = table.table("start")) {
         start->read("amplitude_m", water.start.amplitude_m, {-10, 10, "m from -10 to 10"});
         start->read("nx", water.start.nx, 0, kLeastModes - 1);

@@ -16,20 +16,20 @@ TEST(Water, LevelSurfacesHaveNoWaves) {
     EffectRuntime effects(*run, {});
     run.step(10, effects);
     EXPECT_FALSE(line_of(effects, "water").exists);
-    EXPECT_TRUE(run->waves.empty());
+    EXPECT_EQ(run->waters.front().waves, nullptr);
 }
 
 TEST(Water, LiesAsleepUntilSomethingFallsIn) {
     test::Running run(wavy({kilogram("ball", {0, 9, 0})}));
     EffectRuntime effects(*run, {});
     run.step(75, effects);
-    EXPECT_TRUE(run->waves.front()->is_asleep()) << "the ball is still in the air";
+    EXPECT_TRUE(run->waters.front().waves->is_asleep()) << "the ball is still in the air";
     const std::uint64_t calls = line_of(effects, "water").calls;
     run.step(1, effects);
     EXPECT_EQ(line_of(effects, "water").calls, calls);
-    EXPECT_EQ(run->waves.front()->energy_J(), 0);
+    EXPECT_EQ(run->waters.front().waves->energy_J(), 0);
     run.step(60, effects);
-    EXPECT_GT(run->waves.front()->energy_J(), 0.01) << "it fell in";
+    EXPECT_GT(run->waters.front().waves->energy_J(), 0.01) << "it fell in";
     EXPECT_GT(line_of(effects, "water").calls, calls);
 }
 
@@ -39,7 +39,7 @@ TEST(Water, AFloatFeelsTheWavesAndSleepsNoLonger) {
     EffectRuntime effects(*run, {});
     run.step(1800, effects);
     ASSERT_FALSE(run.state("ball").awake);
-    run->waves.front()->displace({6, 0, 0}, 1, 2);
+    run->waters.front().waves->displace({6, 0, 0}, 1, 2);
     double most_mps = 0;
     for (int i = 0; i < 600; ++i) {
         run.step(1, effects);
@@ -55,23 +55,44 @@ TEST(Water, CalledOffIsLevel) {
     test::Running run(scene);
     EffectRuntime effects(*run, {});
     run.step(30, effects);
-    ASSERT_FALSE(run->waves.empty());
+    ASSERT_NE(run->waters.front().waves, nullptr);
     const std::uint64_t with_waves = run->state_hash();
     run->switches.turn("water", false);
     run.step(1, effects);
-    EXPECT_TRUE(run->waves.empty());
+    EXPECT_EQ(run->waters.front().waves, nullptr);
     EXPECT_NE(run->state_hash(), with_waves);
     EXPECT_TRUE(line_of(effects, "buoyancy").exists) << "it floats on";
+}
+
+TEST(Water, IsDrawnAsItMovesAndFlatWhenCalledOff) {
+    scene::SceneDescription scene = wavy({});
+    scene.forces.waters.front().start = {.amplitude_m = 0.1_r, .nx = 1};
+    scene.forces.waters.front().material = "water";
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(2, effects);
+    render::RenderFrame frame;
+    const auto& visual = run->registry.get<scene::Visual>(run->waters.front().surface);
+    const auto& mesh = run->library().mesh(visual.mesh);
+    effects.extract(*run, {}, frame);
+    EXPECT_NEAR(mesh.bounds.max.y, run->waters.front().waves->height_m(-9, 0), 1e-3);
+    const std::uint32_t version = mesh.version;
+    effects.extract(*run, {}, frame);
+    EXPECT_EQ(mesh.version, version) << "nothing moved since";
+    run->switches.turn("water", false);
+    run.step(1, effects);
+    EXPECT_EQ(mesh.bounds.max.y, 0);
+    EXPECT_EQ(mesh.bounds.min.y, 0);
 }
 
 TEST(Water, WhatGoesTakesItsVolumeAlong) {
     test::Running run(wavy({kilogram("ball", {0, 1, 0})}));
     EffectRuntime effects(*run, {});
     run.step(120, effects);
-    EXPECT_NEAR(run->waves.front()->range().mean_m, 1e-3 / (18 * 18), 4e-7);
+    EXPECT_NEAR(run->waters.front().waves->range().mean_m, 1e-3 / (18 * 18), 4e-7);
     run->registry.mark_for_destruction(run->find("ball"));
     run.step(2, effects);
-    EXPECT_NEAR(run->waves.front()->range().mean_m, 0, 1e-9);
+    EXPECT_NEAR(run->waters.front().waves->range().mean_m, 0, 1e-9);
 }
 
 }  // namespace

@@ -106,6 +106,12 @@ TEST_F(SceneFileTest, FaultsOfFieldsAreNamed) {
             "\"static\"\ndrag = {}\n"),
         "scene.toml:6:8: warning: entity[0].body.drag: only dynamic bodies are moved by the "
         "air; ignored");
+    EXPECT_EQ(
+        fault("[[water]]\nbasin = \"tub\"\n"),
+        "scene.toml:1:1: error: water[0].level_m: missing; expected the height of the surface "
+        "in m, world");
+    EXPECT_EQ(fault("[[water]]\nbasin = \"tub\"\nlevel_m = 1\nmin_m = [0, 0, 0]\n"),
+              "scene.toml:4:9: error: water[0].min_m: a basin's mesh says where its water is");
     EXPECT_EQ(fault("[[water]]\nmin_m = [0, 0, 0]\nmax_m = [1, -1, 1]\n"),
               "scene.toml:3:9: error: water[0].max_m: is not above min_m along every axis");
     EXPECT_EQ(fault("[[water]]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\nprobes_m = [[1]]\n"),
