@@ -61,7 +61,7 @@ function effectsHtml(effects) {
   const advice = effects.rows.length === 0 ? "This scene calls for no effect, or none was measured." : told.length === 0
     ? "No effect of this scene costs more than the noise of the measurement."
     : `The most expensive effect is ${told[0].each.name}: switching it off saves ${numberText(told[0].ms)} ms.`;
-  return `<p class="advice">${esc(advice)}</p>\n` + effectTable(effects) +
+  return `<p class="advice">${esc(advice)}</p>\n` + effectTable(effects) + fidelityTable(effects) +
     `<p class="soft">What switching an effect off saves: ${numberText(effects.seconds)} s of the scene with and without it, ${effects.pairs} times in
 turns; mean and standard error. A cost within two standard errors of nothing is "below the noise". A scene without an effect may move otherwise. Images are
 ${effects.width_px} x ${effects.height_px}; what a GPU does beside the CPU is not in their ms.</p>\n`;

@@ -139,3 +139,10 @@ function effectTable(effects) {
     number(differenceText(each.frame_ms)), number(each.calls), number(bytesText(each.bytes_cpu)), number(bytesText(each.bytes_gpu)), words(esc(each.caller))]));
   return table(["effect", "part of", "#ms a step", "#ms a frame", "#calls", "#CPU memory", "#GPU memory", "called for by"], rows);
 }
+
+/** Effects that come in three fidelities; empty where there is none. */
+function fidelityTable(effects) {
+  const rows = effects.rows.flatMap(each => (each.fidelities ?? []).map(at => row([words(esc(each.name)), words(esc(at.fidelity)),
+    number(numberText(at.step_ms)), number(numberText(at.largest_m)), number(numberText(at.mean_m))])));
+  return rows.length === 0 ? "" : table(["effect", "fidelity", "#ms of a step", "#farthest from precise, m", "#mean, m"], rows);
+}

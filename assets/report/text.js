@@ -43,7 +43,9 @@ function effortText(setting) {
   return steps + (isSmallStep(setting) && setting.iterations === 1 ? "" : `, ${setting.iterations} it`);
 }
 
-const precisionText = setting => setting.precision === "float64" ? ", float64" : "";
+/** ", float64", and effects that do not run at the scene's own fidelity. */
+const precisionText = setting => (setting.precision === "float64" ? ", float64" : "") +
+  (setting.effects ?? []).map(each => `, ${each.effect} ${each.fidelity}`).join("");
 /** Solver and precision. */
 const solverText = setting => setting.solver + precisionText(setting);
 /** Without the solver: "60 Hz x 4". */
@@ -56,7 +58,8 @@ const settingText = setting => `${setting.solver} ${shortSetting(setting)}${prec
 function accuracyLines(setting) {
   const most = choosesSubsteps(setting) ? `substeps_max = ${setting.substeps_max}\n` : "";
   return `solver = "${setting.solver}"\nstep_hz = ${setting.step_hz}\nsubsteps = ${substepsOf(setting)}\n${most}` +
-    `iterations = ${setting.iterations}\n`;
+    `iterations = ${setting.iterations}\n` +
+    (setting.effects ?? []).map(each => `[effects.${each.effect}]\nfidelity = "${each.fidelity}"\n`).join("");
 }
 
 const words = html => `<td>${html}</td>`;

@@ -33,6 +33,12 @@ void run_at(const study::Setting& setting, scene::Simulation& simulation) {
     simulation.set_accuracy(def);
 }
 
+scene::OpenedScene at_fidelity(scene::OpenedScene opened,
+                               const std::vector<scene::EffectFidelity>& fidelity) {
+    opened.description.accuracy.fidelity = fidelity;
+    return opened;
+}
+
 void change(const SwitchEffect& asked, scene::Simulation& simulation) {
     if (asked.on)
         simulation.switches.turn(asked.effect, *asked.on);
@@ -97,7 +103,8 @@ void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
 Result<Done> Session::build(const scene::OpenedScene& opened,
                             const std::optional<study::Setting>& accuracy,
                             const Prepare& prepare) {
-    Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
+    Result<std::unique_ptr<scene::Simulation>> built =
+        accuracy ? at_fidelity(opened, accuracy->fidelity).build(library) : opened.build(library);
     if (!built) return built.error();
     if (accuracy) run_at(*accuracy, **built);
     if (def_.hour) set_hour(**built, *def_.hour);
@@ -144,7 +151,8 @@ Result<Done> Session::apply(const WorldRequest& request) {
 }
 
 Result<Done> Session::set_accuracy(const study::Setting& setting) {
-    if (judge) {
+    // Bodies that deform are made of as many parts as their fidelity says.
+    if (judge || setting.fidelity != accuracy().fidelity) {
         if (const Result<Done> built = build(scene_, setting); !built) return built;
     } else {
         run_at(setting, *simulation);
@@ -163,7 +171,8 @@ study::Setting Session::accuracy() const {
             .substeps_max = def.substeps_max,
             .iterations = def.iterations,
             .precision = sizeof(Real) == sizeof(double) ? study::Precision::Float64
-                                                        : study::Precision::Float32};
+                                                        : study::Precision::Float32,
+            .fidelity = simulation->description().accuracy.fidelity};
 }
 
 void Session::prefetch_images() {
@@ -193,7 +202,8 @@ Result<std::uint64_t> Session::load(const std::filesystem::path& file) {
     const Result<effects::SavedGame> saved = effects::read_saved_game(file);
     if (!saved) return saved.error();
     const study::Setting before = accuracy();
-    const Result<Done> built = build(scene_, {}, [&](const effects::RunningGame& made) {
+    const scene::OpenedScene opened = at_fidelity(scene_, saved->fidelity);
+    const Result<Done> built = build(opened, {}, [&](const effects::RunningGame& made) {
         return effects::put_back(*saved, file, made);
     });
     if (!built) return built.error();

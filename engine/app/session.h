@@ -48,6 +48,8 @@ public:
     /// Builds the scene anew and goes on from a saved game; the steps of its session. As apply().
     Result<std::uint64_t> load(const std::filesystem::path& file);
 
+    /// What the running world was built from.
+    const scene::OpenedScene& opened() const { return scene_; }
     /// As the world runs now.
     study::Setting accuracy() const;
     /// Where SetAccuracy or a loaded game chose another accuracy than the scene's: StartAgain keeps it.

@@ -57,7 +57,7 @@ void SetAccuracy::serialize(Archive& archive) {
     study::Setting& s = setting;
     auto solver = static_cast<std::uint8_t>(s.solver);
     auto precision = static_cast<std::uint8_t>(s.precision);
-    archive(solver, s.step_hz, s.substeps, s.substeps_max, s.iterations, precision);
+    archive(solver, s.step_hz, s.substeps, s.substeps_max, s.iterations, precision, s.fidelity);
     s.solver = static_cast<physics::Solver>(solver);
     s.precision = static_cast<study::Precision>(precision);
     archive.expect(std::ranges::find(physics::kSolvers, s.solver) != physics::kSolvers.end() &&

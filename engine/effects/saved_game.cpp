@@ -41,8 +41,14 @@ std::vector<SavedGame::File> files_of(const scene::OpenedScene& opened) {
 
 void serialize_head(Archive& archive, SavedGame& saved) {
     std::string scene = saved.scene.generic_string();
-    archive(
-        saved.precision, saved.build, scene, saved.game, saved.time_s, saved.steps, saved.files);
+    archive(saved.precision,
+            saved.build,
+            scene,
+            saved.game,
+            saved.time_s,
+            saved.steps,
+            saved.files,
+            saved.fidelity);
     if (archive.reads()) saved.scene = scene;
 }
 
@@ -120,7 +126,8 @@ Result<Done> save_game(const fs::path& file, const RunningGame& running, std::ui
                     .game = std::string(running.game.kind()),
                     .time_s = running.simulation.time_s(),
                     .steps = steps,
-                    .files = files_of(running.opened)};
+                    .files = files_of(running.opened),
+                    .fidelity = running.simulation.description().accuracy.fidelity};
     Archive archive;
     serialize_head(archive, saved);
     serialize_state(archive, running);

@@ -37,6 +37,8 @@ struct SavedGame {
         void serialize(Archive& archive) { archive(name, hash); }
     };
     std::vector<File> files{};
+    /// Of effects that did not run at what the scene's file says: the scene is to be built so.
+    std::vector<scene::EffectFidelity> fidelity{};
     std::string state{};  ///< the rest, for put_back()
 };
 

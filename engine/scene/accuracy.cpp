@@ -1,5 +1,7 @@
 #include "engine/scene/accuracy.h"
 
+#include "engine/core/io/archive.h"
+
 #include <algorithm>
 #include <array>
 
@@ -13,6 +15,34 @@ constexpr std::array<Preset, 5> kPresets{{{"draft", 60, 1, 4, 1, 1, 4},
                                           {"reference", 240, 8, 64, 2, 4, 50},
                                           {"auto", 60, 2, 16, 1, 1, 10}}};
 constexpr const Preset& kBalanced = kPresets[1];
+
+/// In the order of effects_with_fidelity().
+template <class Description>
+auto place_of_fidelity(Description& description, std::string_view effect) {
+    auto& fields = description.forces.fidelity;
+    auto& screen = description.screen_fidelity;
+    const std::array places{&fields.wind,
+                            &fields.drag,
+                            &fields.buoyancy,
+                            &fields.water,
+                            &fields.explosion,
+                            &fields.fracture,
+                            &fields.conveyor,
+                            &fields.magnets,
+                            &fields.rope,
+                            &fields.cloth,
+                            &fields.soft,
+                            &fields.vehicles,
+                            &description.fountain_fidelity,
+                            &screen.occlusion,
+                            &screen.shafts,
+                            &screen.focus,
+                            &screen.shutter};
+    const auto names = effects_with_fidelity();
+    const auto found = std::ranges::find(names, effect);
+    return found == names.end() ? nullptr
+                                : places.at(static_cast<std::size_t>(found - names.begin()));
+}
 
 }  // namespace
 
@@ -41,6 +71,45 @@ void put_over(const SimulationOverrides& overrides, Accuracy& accuracy) {
     if (overrides.substeps) accuracy.substeps = accuracy.substeps_max = overrides.substeps;
     if (overrides.substeps_max) accuracy.substeps_max = overrides.substeps_max;
     if (overrides.iterations) accuracy.iterations = overrides.iterations;
+}
+
+void EffectFidelity::serialize(Archive& archive) {
+    auto number = static_cast<std::uint8_t>(fidelity);
+    archive(effect, number);
+    fidelity = static_cast<Fidelity>(number);
+    archive.expect(
+        fidelity <= Fidelity::Precise &&
+            std::ranges::find(effects_with_fidelity(), effect) != effects_with_fidelity().end(),
+        "the fidelity of an effect");
+}
+
+std::span<const std::string_view> effects_with_fidelity() {
+    static constexpr std::array<std::string_view, 17> kNames{"wind",
+                                                             "drag",
+                                                             "buoyancy",
+                                                             "water",
+                                                             "explosion",
+                                                             "fracture",
+                                                             "conveyor",
+                                                             "magnets",
+                                                             "rope",
+                                                             "cloth",
+                                                             "soft",
+                                                             "vehicles",
+                                                             "fountain",
+                                                             "ambient_occlusion",
+                                                             "sun_shafts",
+                                                             "depth_of_field",
+                                                             "motion_blur"};
+    return kNames;
+}
+
+Fidelity* fidelity_of(SceneDescription& description, std::string_view effect) {
+    return place_of_fidelity(description, effect);
+}
+
+const Fidelity* fidelity_of(const SceneDescription& description, std::string_view effect) {
+    return place_of_fidelity(description, effect);
 }
 
 physics::WorldDef world_def(const SceneDescription& description,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace plumbline::scene {
 
@@ -21,11 +22,18 @@ struct SimulationOverrides {
     std::optional<int> substeps{};  ///< exactly so many, or the least if there is a most
     std::optional<int> substeps_max{};
     std::optional<int> iterations{};
+    std::vector<EffectFidelity> fidelity{};
     std::uint64_t seed{1};
 };
 
 /// Writes them into what a scene says, as if its file said so itself.
 void put_over(const SimulationOverrides& overrides, Accuracy& accuracy);
+
+/// Effects that come in three fidelities: those that bodies feel first, then those of the image.
+std::span<const std::string_view> effects_with_fidelity();
+/// Of one of them; null: it has none.
+Fidelity* fidelity_of(SceneDescription& description, std::string_view effect);
+const Fidelity* fidelity_of(const SceneDescription& description, std::string_view effect);
 
 /// A word for a set of numbers. small_step chooses the sub-steps of each island between two bounds;
 /// for bullet_* a sub-step is a whole step of Bullet's.

@@ -103,11 +103,12 @@ Result<OpenedScene> open_scene(const fs::path& file,
     const IgnoresInterrupts loading;
     const std::size_t known = faults.list().size();
     const fs::path surfaces = options.folders.config / "surfaces.toml";
-    OpenedScene opened{.overrides = options.overrides};
-    opened.surfaces = load_surfaces(surfaces, options.folders.assets, faults);
+    SurfaceTable table = load_surfaces(surfaces, options.folders.assets, faults);
     Result<SceneDescription> description = read_description(file, options.folders.assets, faults);
     if (!description) return description.error();
-    opened.description = std::move(*description);
+    OpenedScene opened{.description = std::move(*description),
+                       .surfaces = std::move(table),
+                       .overrides = options.overrides};
     for (std::size_t i = known; i < faults.list().size(); ++i)
         opened.warnings.push_back(to_string(faults.list()[i]));
     opened.files = files_of(opened.description, surfaces);

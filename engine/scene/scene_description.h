@@ -44,6 +44,8 @@ struct Accuracy {
     std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s of simulated time
     bool step_hz_given{false};          ///< by the file, not by the preset
     bool solver_given{false};
+    /// What a study chose for effects whose fidelity the file leaves open.
+    std::vector<EffectFidelity> fidelity{};
 };
 
 struct PlayerDescription {

@@ -28,7 +28,10 @@ std::string setting_text(const Setting& setting) {
         "{} {} Hz x {}", physics::solver_name(setting.solver), setting.step_hz, substeps);
     if (setting.solver != Solver::SmallStep || setting.iterations != 1)
         text += fmt::format(", {} it", setting.iterations);
-    return fmt::format("{}, {}", text, word_of(setting.precision));
+    text += fmt::format(", {}", word_of(setting.precision));
+    for (const scene::EffectFidelity& each : setting.fidelity)
+        text += fmt::format(", {} {}", each.effect, word_of(each.fidelity));
+    return text;
 }
 
 std::string accuracy_lines(const Setting& setting) {
@@ -40,7 +43,11 @@ std::string accuracy_lines(const Setting& setting) {
     } else {
         lines += fmt::format("substeps = {}\n", std::max(1, setting.substeps));
     }
-    return fmt::format("{}iterations = {}\n", lines, setting.iterations);
+    lines += fmt::format("iterations = {}\n", setting.iterations);
+    for (const scene::EffectFidelity& each : setting.fidelity)
+        lines +=
+            fmt::format("[effects.{}]\nfidelity = \"{}\"\n", each.effect, word_of(each.fidelity));
+    return lines;
 }
 
 physics::WorldDef world_def(const Setting& setting) {
@@ -59,7 +66,8 @@ scene::SimulationOverrides overrides(const Setting& setting) {
             .step_hz = setting.step_hz,
             .substeps = def.substeps,
             .substeps_max = def.substeps_max,
-            .iterations = def.iterations};
+            .iterations = def.iterations,
+            .fidelity = setting.fidelity};
 }
 
 }  // namespace plumbline::study

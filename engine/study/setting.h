@@ -6,6 +6,7 @@
 #include "engine/study/words.h"
 
 #include <string>
+#include <vector>
 
 namespace plumbline::study {
 
@@ -13,6 +14,10 @@ enum class Precision { Float32, Float64 };
 inline constexpr std::array kPrecisions{Precision::Float32, Precision::Float64};
 template <>
 inline constexpr std::array<std::string_view, 2> kWords<Precision>{"float32", "float64"};
+
+template <>
+inline constexpr std::array<std::string_view, 3> kWords<scene::Fidelity>{
+    "draft", "balanced", "precise"};
 
 /// A point of the grid of settings.
 struct Setting {
@@ -23,11 +28,13 @@ struct Setting {
     int substeps_max{16};
     int iterations{1};
     Precision precision{Precision::Float32};
+    /// Of effects that do not run at the scene's own.
+    std::vector<scene::EffectFidelity> fidelity{};
 
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-/// "small_step 60 Hz x 4, float32"; sub-steps on demand: "x 2-16"; bullet_*: "60 Hz x 1, 10 it".
+/// "small_step 60 Hz x 4, float32, cloth draft"; sub-steps on demand: "x 2-16"; bullet_*: "60 Hz x 1, 10 it".
 std::string setting_text(const Setting& setting);
 /// The keys to paste under [accuracy], one a line.
 std::string accuracy_lines(const Setting& setting);

@@ -34,6 +34,7 @@ struct World {
     std::optional<scene::OpenedScene> opened;
     std::unique_ptr<scene::Simulation> simulation;
     scene::WarningLog warning_log;
+    std::optional<effects::SavedGame> saved;  ///< to continue from
 };
 
 Result<Done> load(const SimulateOptions& options, World& world) {
@@ -58,6 +59,12 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     }
     world.opened = std::move(*opened);
     world.opened->description.accuracy = study::resolve_auto(*world.opened);
+    if (!options.load_file.empty()) {
+        Result<effects::SavedGame> saved = effects::read_saved_game(options.load_file);
+        if (!saved) return saved.error();
+        world.opened->description.accuracy.fidelity = saved->fidelity;
+        world.saved = std::move(*saved);
+    }
     Result<std::unique_ptr<scene::Simulation>> built = world.opened->build(world.library);
     if (!built) return built.error();
     world.simulation = std::move(*built);
@@ -77,10 +84,8 @@ public:
           game_(simulation_.description().camera),
           effects_(simulation_, {.frame = false, .sound = false}) {}
 
-    Result<Done> go_on_from(const fs::path& file) {
-        const Result<effects::SavedGame> saved = effects::read_saved_game(file);
-        if (!saved) return saved.error();
-        return effects::put_back(*saved, file, running());
+    Result<Done> go_on_from(const effects::SavedGame& saved, const fs::path& file) {
+        return effects::put_back(saved, file, running());
     }
     Result<Done> save(const fs::path& file) {
         return effects::save_game(file, running(), simulation_.steps());
@@ -198,8 +203,8 @@ ExitCode run_simulate(const SimulateOptions& options) {
     if (const Result<Done> loaded = load(options, world); !loaded) return refuse(loaded.error());
     scene::Simulation& simulation = *world.simulation;
     Run run(options, world);
-    if (!options.load_file.empty()) {
-        const Result<Done> there = run.go_on_from(options.load_file);
+    if (world.saved) {
+        const Result<Done> there = run.go_on_from(*world.saved, options.load_file);
         if (!there) return refuse(there.error());
     }
     const PollsInterrupts polls;

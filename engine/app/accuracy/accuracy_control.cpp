@@ -2,6 +2,8 @@
 
 #include "engine/physics/debug_lines.h"
 #include "engine/physics/totals.h"
+#include "engine/study/auto_preset/study_cache.h"
+#include "engine/study/findings/fidelity_price.h"
 
 #include <algorithm>
 #include <array>
@@ -47,8 +49,31 @@ void add_wide(const LineList& thin, const Vec3f& eye_world, LineList& lines) {
 }  // namespace
 
 void AccuracyControl::watch(bool shown) {
+    if (shown && !watched_) {
+        study_.reset();
+        const std::filesystem::path folder = study::study_cache_folder();
+        if (auto kept = study::find_study(folder, study::study_key(session_.opened())))
+            study_ = std::move(kept->study);
+    }
     watched_ = shown;
     if (!shown) samples_.clear();
+}
+
+std::vector<EffectInPlay> AccuracyControl::effects() const {
+    std::vector<EffectInPlay> all;
+    const std::vector<effects::LedgerLine> ledger = session_.effects->ledger();
+    for (std::size_t i = 0; i < ledger.size(); ++i) {
+        const scene::Fidelity* fidelity =
+            scene::fidelity_of(session_.simulation->description(), ledger[i].name);
+        if (fidelity == nullptr || !ledger[i].exists ||
+            effects::effect_table()[i].domain != effects::Domain::Step)
+            continue;
+        all.push_back({.name = std::string(ledger[i].name), .fidelity = *fidelity});
+        if (study_)
+            all.back().price =
+                study::price_text(study::prices_of(study_->subject.points, ledger[i].name));
+    }
+    return all;
 }
 
 void AccuracyControl::after_step() {

@@ -6,9 +6,12 @@
 #include "engine/core/time/frame_clock.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/ghost/ghost.h"
+#include "engine/study/scenes/scene_study.h"
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace plumbline::app {
 
@@ -23,6 +26,13 @@ struct AccuracyGauges {
     double max_penetration_m{0};
     double max_joint_error_m{0};
     double lost_s{0};  ///< of wall time, in all
+};
+
+/// An effect that bodies feel, of those with fidelities, while something calls for it.
+struct EffectInPlay {
+    std::string name;
+    scene::Fidelity fidelity{scene::Fidelity::Balanced};
+    std::string price{};  ///< what other fidelities cost and buy; empty: no study has seen it
 };
 
 class AccuracyControl {
@@ -44,6 +54,7 @@ public:
 
     /// As the world runs now.
     study::Setting setting() const { return session_.accuracy(); }
+    std::vector<EffectInPlay> effects() const;
     AccuracyGauges gauges(const FrameClock& clock) const;
     const study::Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
 
@@ -64,7 +75,8 @@ private:
     std::optional<study::Ghost> ghost_;
     std::deque<Sample> samples_;
     study::Setting sampled_at_{};
-    std::uint64_t generation_{0};  ///< of the world that both belong to
+    std::uint64_t generation_{0};             ///< of the world that both belong to
+    std::optional<study::SceneStudy> study_;  ///< of the scene, if one was kept when this was shown
 };
 
 }  // namespace plumbline::app

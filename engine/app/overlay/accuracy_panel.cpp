@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -79,6 +80,24 @@ bool choose_setting(Setting& setting) {
                             setting.substeps == 0 ? "on demand" : "%d");
     changed |= choose_count("Iterations", setting.iterations, 1, kMostIterations, "%d");
     changed |= choose_solver("Solver", setting);
+    return changed;
+}
+
+/// Each effect that bodies feel and something calls for, with what another fidelity costs and buys as far as a study has seen.
+bool choose_fidelities(const AccuracyControl& control, Setting& setting) {
+    constexpr std::array<const char*, 3> kLevels{"draft", "balanced", "precise"};
+    bool changed = false;
+    for (const EffectInPlay& effect : control.effects()) {
+        int level = static_cast<int>(effect.fidelity);
+        const std::string label = fmt::format("{}##fidelity", effect.name);
+        if (choose_count(label.c_str(), level, 0, 2, kLevels[static_cast<std::size_t>(level)])) {
+            std::erase_if(setting.fidelity,
+                          [&](const auto& each) { return each.effect == effect.name; });
+            setting.fidelity.push_back({effect.name, static_cast<scene::Fidelity>(level)});
+            changed = true;
+        }
+        if (!effect.price.empty()) text(effect.price);
+    }
     return changed;
 }
 
@@ -192,6 +211,13 @@ float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& request
         text(fmt::format("{}\nAccuracy is locked while replaying.", study::setting_text(setting)));
     else if (choose_setting(setting))
         requests.push_back(WorldRequest{SetAccuracy{setting}});
+    if (!shown.replaying && !shown.control.effects().empty()) {
+        ImGui::Separator();
+        text("Effects; another fidelity starts the scene again");
+        if (choose_fidelities(shown.control, setting))
+            requests.push_back(WorldRequest{SetAccuracy{setting}});
+        ImGui::Separator();
+    }
     // Above all that grows and shrinks, so that it stays where it is.
     if (ImGui::Button("Save copy")) requests.push_back(AdoptAccuracy{});
     ImGui::SameLine();

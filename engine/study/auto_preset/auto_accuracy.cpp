@@ -84,6 +84,7 @@ std::optional<AutoChoice> auto_choice(const SceneStudy& study, const scene::Accu
     chosen.accuracy.substeps = own.substeps;
     chosen.accuracy.substeps_max = own.substeps_max;
     chosen.accuracy.iterations = own.iterations;
+    chosen.accuracy.fidelity = chosen.point.setting.fidelity;
     return chosen;
 }
 

@@ -167,7 +167,7 @@ FieldOutcome seiche_swings(scene::Fidelity fidelity) {
     while (world.time_s() < 20) {
         world.step();
         const double exact_m = 0.02 * std::cos(omega * world.time_s());
-        const double found_m = world.simulation().waves.front()->height_m(-5, 0);
+        const double found_m = world.simulation().waters.front().waves->height_m(-5, 0);
         error_m = std::max(error_m, std::abs(found_m - exact_m));
     }
     return {error_m / 0.02, world.cpu_ms_per_s()};
@@ -182,7 +182,7 @@ FieldOutcome sinking_raises_the_level(scene::Fidelity fidelity) {
     FieldWorld world(scene);
     world.run_to(2);
     const double exact_m = 4.0 / 3 * kPi_rad * 0.125 / 100;
-    return {std::abs(world.simulation().waves.front()->range().mean_m / exact_m - 1),
+    return {std::abs(world.simulation().waters.front().waves->range().mean_m / exact_m - 1),
             world.cpu_ms_per_s()};
 }
 
@@ -195,7 +195,7 @@ FieldOutcome waves_take_no_energy_from_nowhere(scene::Fidelity fidelity) {
     FieldWorld world(scene);
     const double start_J = world.energy_J();
     const auto gain_J = [&] {
-        const scene::WaveField& waves = *world.simulation().waves.front();
+        const scene::WaveField& waves = *world.simulation().waters.front().waves;
         return world.energy_J() + waves.energy_J() + waves.raised_J() - start_J;
     };
     double most_J = 0;

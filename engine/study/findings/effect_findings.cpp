@@ -12,6 +12,29 @@ std::string difference_text(const Difference& difference) {
     return fmt::format("{:+.4f} +- {:.4f}", difference.mean, difference.standard_error);
 }
 
+std::string fidelities_text(const EffectFindings& findings) {
+    std::string text;
+    for (const EffectCost& cost : findings.rows) {
+        for (const FidelityCost& at : cost.fidelities)
+            text += fmt::format("{:<22}{:<10}{:>11.4f}{:>14.3g}{:>14.3g}\n",
+                                cost.name,
+                                at.fidelity,
+                                at.step_ms,
+                                at.largest_m,
+                                at.mean_m);
+    }
+    if (text.empty()) return text;
+    return fmt::format(
+        "\nAt each fidelity: ms of a step in all, and how far bodies end from where "
+        "they do at precise\n{:<22}{:<10}{:>11}{:>14}{:>14}\n{}",
+        "effect",
+        "fidelity",
+        "ms a step",
+        "largest, m",
+        "mean, m",
+        text);
+}
+
 }  // namespace
 
 std::string effects_text(const EffectFindings& findings) {
@@ -39,6 +62,7 @@ std::string effects_text(const EffectFindings& findings) {
                             cost.bytes_cpu,
                             cost.bytes_gpu,
                             cost.caller);
+    text += fidelities_text(findings);
     if (findings.rows.empty()) text += "No effect was measured.\n";
     if (findings.width_px > 0)
         text +=

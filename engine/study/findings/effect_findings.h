@@ -9,6 +9,14 @@
 
 namespace plumbline::study {
 
+/// One fidelity of an effect that has three, with all else at the scene's own.
+struct FidelityCost {
+    std::string fidelity{};  ///< "draft", "balanced", "precise"
+    double step_ms{0};       ///< CPU of a step with all that it takes, least of the runs
+    double largest_m{0};     ///< how far bodies are from where they are at "precise", at the end
+    double mean_m{0};
+};
+
 struct EffectCost {
     std::string name{};
     std::string caller{};   ///< the first one that called for it
@@ -18,6 +26,7 @@ struct EffectCost {
     std::uint64_t calls{0};
     std::uint64_t bytes_cpu{0};
     std::uint64_t bytes_gpu{0};
+    std::vector<FidelityCost> fidelities{};  ///< empty: it has but one
 };
 
 /// What a study of one scene's effects found.

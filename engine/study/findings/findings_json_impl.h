@@ -4,6 +4,23 @@
 #include "engine/study/findings/findings.h"
 #include "engine/study/findings/json_fields_impl.h"
 
+/// It lies in another namespace, where the functions of this one are not looked for.
+template <>
+struct nlohmann::adl_serializer<plumbline::scene::EffectFidelity> {
+    static void to_json(auto& json, const plumbline::scene::EffectFidelity& each) {
+        json["effect"] = each.effect;
+        json["fidelity"] = plumbline::study::word_of(each.fidelity);
+    }
+    static void from_json(const auto& json, plumbline::scene::EffectFidelity& each) {
+        json.at("effect").get_to(each.effect);
+        const auto& words = plumbline::study::kWords<plumbline::scene::Fidelity>;
+        const auto found =
+            std::ranges::find(words, json.at("fidelity").template get<std::string>());
+        if (found == words.end()) throw std::runtime_error("expected a fidelity");
+        each.fidelity = static_cast<plumbline::scene::Fidelity>(found - words.begin());
+    }
+};
+
 namespace plumbline::study {
 
 void fields(const auto& field, Like<Setting> auto& setting) {
@@ -13,6 +30,7 @@ void fields(const auto& field, Like<Setting> auto& setting) {
     field("substeps_max", setting.substeps_max);
     field("iterations", setting.iterations);
     field("precision", setting.precision);
+    field("effects", setting.fidelity);
 }
 
 void fields(const auto& field, Like<RunCost> auto& cost) {
@@ -89,6 +107,13 @@ void fields(const auto& field, Like<EffectError> auto& error) {
     field("tolerance", error.tolerance);
 }
 
+void fields(const auto& field, Like<FidelityCost> auto& at) {
+    field("fidelity", at.fidelity);
+    field("step_ms", at.step_ms);
+    field("largest_m", at.largest_m);
+    field("mean_m", at.mean_m);
+}
+
 void fields(const auto& field, Like<EffectCost> auto& cost) {
     field("name", cost.name);
     field("caller", cost.caller);
@@ -98,6 +123,7 @@ void fields(const auto& field, Like<EffectCost> auto& cost) {
     field("calls", cost.calls);
     field("bytes_cpu", cost.bytes_cpu);
     field("bytes_gpu", cost.bytes_gpu);
+    field("fidelities", cost.fidelities);
 }
 
 void fields(const auto& field, Like<Shard> auto& shard) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace plumbline::study {
 
@@ -36,6 +37,7 @@ struct Passes {
 struct MeasuredPairs {
     Passes with;
     Passes without;
+    std::vector<FidelityCost> fidelities;
 };
 
 void fields(const auto& field, Like<MeasuredPairs> auto& pairs) {
@@ -43,18 +45,34 @@ void fields(const auto& field, Like<MeasuredPairs> auto& pairs) {
     field("step_ms_without", pairs.without.step_ms);
     field("frame_ms", pairs.with.frame_ms);
     field("frame_ms_without", pairs.without.frame_ms);
+    field("fidelities", pairs.fidelities);
 }
 
 namespace {
 
 constexpr double kLimit_s = 120;
+constexpr int kTurns = 3;  // of runs at each fidelity
 
 /// CPU ms of a step and of a frame's sounds.
 struct Passed {
     double step_ms{0};
     double frame_ms{0};
     std::vector<effects::LedgerLine> ledger;
+    std::vector<Vec3d> places_m;  ///< of all that moves but pieces of ropes, in the end
 };
+
+/// The number of a rope's pieces depends on its fidelity.
+std::vector<Vec3d> places_of(const scene::Simulation& simulation) {
+    std::set<physics::BodyId> pieces;
+    for (const scene::Rope& rope : simulation.ropes())
+        pieces.insert(rope.pieces.begin(), rope.pieces.end());
+    std::vector<Vec3d> places_m;
+    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+        if (!pieces.contains(moving.body) && simulation.physics.contains(moving.body))
+            places_m.emplace_back(simulation.physics.state(moving.body).world_from_body.position);
+    }
+    return places_m;
+}
 
 /// One run from the start, a frame's sounds per step.
 Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
@@ -79,6 +97,7 @@ Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, d
     passed.step_ms /= steps;
     passed.frame_ms /= steps;
     passed.ledger = played->effects().ledger();
+    passed.places_m = places_of(simulation);
     return passed;
 }
 
@@ -99,6 +118,40 @@ Result<std::string> list_effects(const scene::OpenedScene& scene, double seconds
     return text_of(Json(costs));
 }
 
+/// Each fidelity in turn, all else as the scene says. Empty: it has but one, or does not act on steps.
+Result<std::vector<FidelityCost>> measure_fidelities(const scene::OpenedScene& scene,
+                                                     const EffectJob& job) {
+    std::vector<FidelityCost> costs;
+    const auto table = effects::effect_table();
+    const auto row = std::ranges::find(table, job.effect, &effects::EffectRow::name);
+    if (row == table.end() || row->domain != effects::Domain::Step ||
+        scene::fidelity_of(scene.description, job.effect) == nullptr)
+        return costs;
+    std::vector<std::vector<Vec3d>> places_m;
+    for (const std::string_view word : kWords<scene::Fidelity>)
+        costs.push_back({.fidelity = std::string(word), .step_ms = HUGE_VAL});
+    for (int turn = 0; turn < kTurns; ++turn) {
+        for (std::size_t i = 0; i < costs.size(); ++i) {
+            scene::OpenedScene at = scene;
+            at.overrides.fidelity = {{job.effect, static_cast<scene::Fidelity>(i)}};
+            Result<Passed> passed = pass(at, {}, job.seconds);
+            if (!passed) return passed.error();
+            costs[i].step_ms = std::min(costs[i].step_ms, passed->step_ms);
+            if (turn == 0) places_m.push_back(std::move(passed->places_m));
+        }
+    }
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+        // What broke or was removed in one of them has no place to compare.
+        const std::size_t count = std::min(places_m[i].size(), places_m.back().size());
+        for (std::size_t k = 0; k < count; ++k) {
+            const double off_m = glm::distance(places_m[i][k], places_m.back()[k]);
+            costs[i].largest_m = std::max(costs[i].largest_m, off_m);
+            costs[i].mean_m += off_m / static_cast<double>(count);
+        }
+    }
+    return costs;
+}
+
 /// Turn and turn about; what comes first changes from pair to pair.
 Result<std::string> measure_pairs(const scene::OpenedScene& scene, const EffectJob& job) {
     if (const Result<Passed> warm = pass(scene, {}, job.seconds); !warm) return warm.error();
@@ -111,7 +164,10 @@ Result<std::string> measure_pairs(const scene::OpenedScene& scene, const EffectJ
         passes[without].step_ms.push_back(passed->step_ms);
         passes[without].frame_ms.push_back(passed->frame_ms);
     }
-    return text_of(Json(MeasuredPairs{.with = passes[0], .without = passes[1]}));
+    Result<std::vector<FidelityCost>> fidelities = measure_fidelities(scene, job);
+    if (!fidelities) return fidelities.error();
+    return text_of(Json(MeasuredPairs{
+        .with = passes[0], .without = passes[1], .fidelities = std::move(*fidelities)}));
 }
 
 Job job_for(const EffectsRun& run, const std::string& effect) {
@@ -163,10 +219,11 @@ Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int worke
             fault = measured.error();
             return;
         }
-        const auto& [with, without] = *measured;
+        const auto& [with, without, fidelities] = *measured;
         EffectCost& cost = (*costs)[job];
         cost.step_ms = paired_difference(with.step_ms, without.step_ms);
         cost.frame_ms = paired_difference(with.frame_ms, without.frame_ms);
+        cost.fidelities = fidelities;
     });
     if (!all) return all.error();
     if (fault) return *fault;

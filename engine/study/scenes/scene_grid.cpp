@@ -45,9 +45,27 @@ std::vector<Setting> scene_grid(GridSize size) {
     return grid;
 }
 
-Setting reference_setting(int step_hz) {
+std::vector<Setting> with_fidelities(const Setting& setting,
+                                     const std::vector<std::string>& effects) {
+    std::vector<Setting> all;
+    for (const scene::Fidelity fidelity : {scene::Fidelity::Draft, scene::Fidelity::Precise}) {
+        Setting together = setting;
+        for (const std::string& effect : effects) together.fidelity.push_back({effect, fidelity});
+        all.push_back(together);
+        if (effects.size() < 2) continue;
+        for (const scene::EffectFidelity& each : together.fidelity) {
+            all.push_back(setting);
+            all.back().fidelity = {each};
+        }
+    }
+    return all;
+}
+
+Setting reference_setting(int step_hz, const std::vector<std::string>& effects) {
     Setting setting = small_step(step_hz, 4);
     setting.precision = Precision::Float64;
+    for (const std::string& effect : effects)
+        setting.fidelity.push_back({effect, scene::Fidelity::Precise});
     return setting;
 }
 
@@ -60,6 +78,8 @@ double guessed_cost(const Setting& setting) {
         of_a_step = 0.6 + 0.15 * setting.substeps;
     }
     if (setting.precision == Precision::Float64) of_a_step *= 1.3;
+    for (const scene::EffectFidelity& each : setting.fidelity)
+        of_a_step *= each.fidelity == scene::Fidelity::Precise ? 1.3 : 0.9;
     return of_a_step * setting.step_hz / 60.0;
 }
 

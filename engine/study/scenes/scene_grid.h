@@ -3,6 +3,7 @@
 
 #include "engine/study/setting.h"
 
+#include <string>
 #include <vector>
 
 namespace plumbline::study {
@@ -15,8 +16,12 @@ enum class GridSize {
 /// The settings at 60 Hz come first: their measured cost predicts the cost of the others.
 std::vector<Setting> scene_grid(GridSize size);
 
-/// The setting of references: small_step in float64 with four sub-steps.
-Setting reference_setting(int step_hz);
+/// The same settings with effects at other fidelities: each alone, and all of them together.
+std::vector<Setting> with_fidelities(const Setting& setting,
+                                     const std::vector<std::string>& effects);
+
+/// The setting of references: small_step in float64 with four sub-steps, and effects at their most precise.
+Setting reference_setting(int step_hz, const std::vector<std::string>& effects = {});
 
 /// A rough guess of CPU time, as a multiple of small_step's at 60 Hz with sub-steps on demand. The plan
 /// uses it until a similar setting was measured.

@@ -52,6 +52,7 @@ void fields(const auto& field, Like<SceneAnswer> auto& answer) {
     field("mass_kg", answer.mass_kg);
     field("gravity_mps2", answer.gravity_mps2);
     field("body_size_m", answer.body_size_m);
+    field("effects", answer.effects);
     field("cpu_s", answer.cpu_s);
     field("wall_s", answer.wall_s);
     field("traces", answer.traces);

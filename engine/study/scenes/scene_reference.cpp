@@ -55,13 +55,14 @@ private:
 
     double seconds() const { return probe_.moments.back() * kSampleEvery_s; }
     double cost_s(int step_hz) const {
-        return probe_.second_cpu_s * seconds() * guessed_cost(reference_setting(step_hz));
+        return probe_.second_cpu_s * seconds() *
+               guessed_cost(reference_setting(step_hz, probe_.effects));
     }
     double left_s() const { return plan_.cpu_left_s(share_); }
 
     SceneRun run_at(int step_hz) const {
         return {.scene = probe_.scene,
-                .setting = reference_setting(step_hz),
+                .setting = reference_setting(step_hz, probe_.effects),
                 .moments = probe_.moments,
                 .cpu_limit_s = std::max(2.0, 4.0 * cost_s(step_hz))};
     }

@@ -33,7 +33,8 @@ struct SceneReference {
 struct SceneProbe {
     std::filesystem::path scene{};
     std::vector<int> moments{};
-    double second_cpu_s{0};  ///< small_step at 60 Hz: CPU seconds per simulated one
+    std::vector<std::string> effects{};  ///< SceneAnswer::effects
+    double second_cpu_s{0};              ///< small_step at 60 Hz: CPU seconds per simulated one
 };
 
 /// Spends up to `share` of the plan's wall time. None: interrupted. Refused: every try ended early;

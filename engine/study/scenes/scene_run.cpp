@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace plumbline::study {
 namespace {
@@ -40,8 +41,18 @@ public:
           steps_per_sample_(
               std::max(1, static_cast<int>(std::lround(kSampleEvery_s / simulation_.step_s())))) {
         scene_.start();
+        // The number of pieces depends on the fidelity of ropes: they count where nothing else moves.
+        std::set<physics::BodyId> pieces;
+        for (const scene::Rope& rope : simulation_.ropes())
+            pieces.insert(rope.pieces.begin(), rope.pieces.end());
+        std::size_t others = 0;
+        for (const scene::MovingBody& moving : simulation_.moving_bodies())
+            others += moving.kind == physics::BodyKind::Dynamic && !pieces.contains(moving.body);
+        has_others_ = others > 0;
         for (const scene::MovingBody& moving : simulation_.moving_bodies()) {
-            if (moving.kind != physics::BodyKind::Dynamic) continue;
+            if (moving.kind != physics::BodyKind::Dynamic ||
+                (has_others_ && pieces.contains(moving.body)))
+                continue;
             bodies_.push_back(moving.body);
             masses_kg_.push_back(
                 static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg));
@@ -50,6 +61,7 @@ public:
     }
 
     const std::vector<physics::BodyId>& bodies() const { return bodies_; }
+    bool has_others() const { return has_others_; }  ///< than pieces of ropes
     double mass_kg() const {
         double sum_kg = 0;
         for (const double each : masses_kg_) sum_kg += each;
@@ -202,10 +214,27 @@ private:
     scene::Simulation& simulation_;
     int steps_per_sample_;
     std::vector<physics::BodyId> bodies_;
+    bool has_others_{false};
     std::vector<double> masses_kg_;
     std::vector<BodyPose> poses_;
     Lap lap_;
 };
+
+/// By the ledger at the end of a run.
+std::vector<std::string> open_effects(const PlayedScene& scene) {
+    std::vector<std::string> open;
+    const auto names = scene::effects_with_fidelity();
+    const auto& given = scene.simulation().description().effect_settings;
+    const std::vector<effects::LedgerLine> ledger = scene.effects().ledger();
+    for (std::size_t i = 0; i < ledger.size(); ++i) {
+        const std::string name(ledger[i].name);
+        if (effects::effect_table()[i].domain == effects::Domain::Step &&
+            ledger[i].constructions > 0 && !given.contains(name) &&
+            std::ranges::find(names, name) != names.end())
+            open.push_back(name);
+    }
+    return open;
+}
 
 /// The first run warms up, and counts only where it stays alone.
 RunCost cost_of_runs(std::span<const Lap> laps) {
@@ -261,6 +290,7 @@ Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
         } else {
             one.repeat();
         }
+        if (i == 0 && one.has_others()) answer.effects = open_effects(*scene);
         if (simulation.time_s() > 0) laps.push_back(one.lap());
         spent_s += one.lap().cpu_ms * 1e-3;
         if (answer.traces.back().status != RunStatus::Done) break;

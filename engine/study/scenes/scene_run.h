@@ -76,8 +76,10 @@ struct SceneAnswer {
     double mass_kg{0};
     double gravity_mps2{0};
     double body_size_m{0};  ///< median diagonal of the bodies' boxes
-    double cpu_s{0};        ///< of all that was done for it, loading and sampling included
-    double wall_s{0};       ///< likewise; more than `cpu_s` on a machine that does other things too
+    /// That the scene called for and bodies feel, and whose fidelity its file leaves open.
+    std::vector<std::string> effects{};
+    double cpu_s{0};   ///< of all that was done for it, loading and sampling included
+    double wall_s{0};  ///< likewise; more than `cpu_s` on a machine that does other things too
     std::vector<Trace> traces{};  ///< one per copy
     RunCost cost{};
 };

@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/study/findings/order.h"
+#include "engine/study/findings/pareto.h"
 #include "engine/study/played_scene.h"
 #include "engine/study/scenes/scene_reference.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace plumbline::study {
 namespace {
@@ -25,6 +27,11 @@ constexpr double kReserve = 0.85;
 constexpr int kRepeats = 5;
 constexpr double kRepeat_s = 0.4;
 constexpr int kCopies = 7;
+/// Settings of the front that effects at other fidelities are tried with.
+constexpr std::size_t kFidelitiesOf = 4;
+/// Of the time that is left, what is spent before others follow; and how much longer it all may take then.
+constexpr double kShare = 0.5;
+constexpr double kWithFidelities = 1.5;
 /// Measured even where the time is over.
 constexpr std::size_t kSettingsLeast = 4;
 
@@ -105,6 +112,9 @@ private:
         const SceneAnswer& answer = first.answer;
         if (!options_.wall_s && answer.bodies > kManyBodies) plan_.extend(kWallMany_s);
         probe_.scene = options_.scene;
+        probe_.effects = answer.effects;
+        if (!answer.effects.empty())
+            plan_.extend(kWithFidelities * (plan_.left_s() + plan_.spent_s()));
         probe_.second_cpu_s = std::max(1e-6, answer.cost.ms_per_s_min * 1e-3);
         const int samples = affordable_samples(probe_.second_cpu_s, wanted);
         if (samples < wanted)
@@ -143,6 +153,11 @@ private:
                 return point.cost.ms_per_s_median * 1e-3 * study_.seconds * setting.step_hz /
                        point.setting.step_hz;
         }
+        if (!setting.fidelity.empty()) {
+            Setting own = setting;
+            own.fidelity.clear();
+            return cost_s(own) * guessed_cost(setting) / guessed_cost(own);
+        }
         return guessed_cost(setting) * probe_.second_cpu_s * study_.seconds;
     }
     /// With its repeats or copies, and what loading and handing over take.
@@ -153,13 +168,13 @@ private:
         return one_s + std::min(repeats_ * one_s, kRepeat_s + one_s) + kHandling_s;
     }
 
-    /// Those of `settings` that fit into the time that is left, cheapest first.
-    std::vector<Setting> fitting(std::vector<Setting> settings) {
+    /// Those of `settings` that fit into a share of the time that is left, cheapest first.
+    std::vector<Setting> fitting(std::vector<Setting> settings, double share = 1) {
         std::ranges::stable_sort(
             settings, {}, [&](const Setting& each) { return whole_cost_s(each); });
         double sum_s = 0;
         std::size_t fit = 0;
-        const double left_s = kReserve * plan_.cpu_left_s();
+        const double left_s = share * kReserve * plan_.cpu_left_s();
         const std::size_t least = study_.subject.points.empty() ? kSettingsLeast : 0;
         while (fit < settings.size() &&
                (fit < least || sum_s + whole_cost_s(settings[fit]) <= left_s))
@@ -197,9 +212,34 @@ private:
             (setting.step_hz == grid.front().step_hz ? first : rest).push_back(setting);
         expect(grid);
         if (const Result<Done> done = measure(fitting(first)); !done) return done;
-        rest = fitting(rest);
+        if (const Result<Done> done = measure(fitting(other_fidelities(), kShare)); !done)
+            return done;
+        rest = fitting(rest, probe_.effects.empty() ? 1.0 : kShare);
         expect(rest);
-        return measure(rest);
+        if (const Result<Done> done = measure(rest); !done) return done;
+        return measure(fitting(other_fidelities()));
+    }
+
+    /// Some settings that no other beats, evenly along their front.
+    std::vector<Setting> other_fidelities() const {
+        std::vector<Setting> all;
+        if (probe_.effects.empty()) return all;
+        const std::vector<Point>& points = study_.subject.points;
+        std::vector<std::size_t> front = pareto_front(points);
+        std::erase_if(front, [&](std::size_t i) {
+            return points[i].setting.precision != Precision::Float32 ||
+                   !points[i].setting.fidelity.empty();
+        });
+        for (std::size_t i = 0; i < std::min(front.size(), kFidelitiesOf); ++i) {
+            const std::size_t spread = (2 * i + 1) * front.size() / (2 * kFidelitiesOf);
+            const std::size_t at = front.size() > kFidelitiesOf ? spread : i;
+            const std::vector<Setting> others =
+                with_fidelities(points[front[at]].setting, probe_.effects);
+            std::ranges::copy_if(others, std::back_inserter(all), [&](const Setting& each) {
+                return std::ranges::find(points, each, &Point::setting) == points.end();
+            });
+        }
+        return all;
     }
 
     void expect(const std::vector<Setting>& settings) { plan_.expect(sum_of_costs_s(settings)); }
@@ -282,7 +322,8 @@ private:
                               point.setting.solver,
                               point.setting.step_hz,
                               point.setting.iterations,
-                              point.setting.substeps == 0 ? 1000 : point.setting.substeps);
+                              point.setting.substeps == 0 ? 1000 : point.setting.substeps,
+                              setting_text(point.setting));
         });
         if (!study_.chaotic)
             subject.verdicts = verdicts_of(subject.points, [](const Setting&, std::string_view) {

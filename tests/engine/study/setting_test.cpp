@@ -16,6 +16,8 @@ TEST(Setting, TextSaysWhatIsAsked) {
                             .iterations = 10,
                             .precision = Precision::Float64}),
               "bullet_si 60 Hz x 1, 10 it, float64");
+    EXPECT_EQ(setting_text({.fidelity = {{"cloth", scene::Fidelity::Draft}}}),
+              "small_step 60 Hz x 2-16, float32, cloth draft");
 }
 
 TEST(Setting, LinesAreKeysOfAccuracy) {
@@ -24,6 +26,8 @@ TEST(Setting, LinesAreKeysOfAccuracy) {
               "iterations = 1\n");
     EXPECT_EQ(accuracy_lines({.solver = Solver::BulletNncg, .substeps = 1, .iterations = 20}),
               "solver = \"bullet_nncg\"\nstep_hz = 60\nsubsteps = 1\niterations = 20\n");
+    EXPECT_TRUE(accuracy_lines({.fidelity = {{"rope", scene::Fidelity::Precise}}})
+                    .ends_with("iterations = 1\n[effects.rope]\nfidelity = \"precise\"\n"));
 }
 
 TEST(Setting, AWorldAndASceneGetTheSame) {

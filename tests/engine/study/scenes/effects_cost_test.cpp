@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -50,6 +51,23 @@ TEST(EffectsCost, AScenesEffectsAreListedAndMeasuredInPairs) {
         const std::string list = measured.substr(at, measured.find(']', at) - at);
         EXPECT_EQ(std::ranges::count(list, ','), 1) << list;
     }
+}
+
+TEST(EffectsCost, FidelitiesAreMeasuredAgainstPrecise) {
+    ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1);
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "a.toml";
+    std::ofstream(file) << "[[entity]]\nname = \"ball\"\n[entity.body]\nshape = { sphere = 0.1 }\n"
+                           "mass_kg = 0.1\nvelocity_mps = [40, 0, 0]\ndrag = { coefficient = 2 }\n";
+    const Result<std::string> answer = run_effect_job(fmt::format(
+        R"({{"scene": "{}", "effect": "drag", "seconds": 0.2, "pairs": 1}})", file.string()));
+    ASSERT_TRUE(answer.ok()) << answer.error().message;
+    const auto fidelities = nlohmann::json::parse(*answer)["fidelities"];
+    ASSERT_EQ(fidelities.size(), 3U);
+    EXPECT_EQ(fidelities[2]["largest_m"], 0.0);
+    EXPECT_GT(fidelities[0]["largest_m"].get<double>(), 1e-5);
+    EXPECT_GT(fidelities[0]["largest_m"], fidelities[1]["largest_m"]);
+    EXPECT_GT(fidelities[1]["step_ms"].get<double>(), 0);
 }
 
 }  // namespace

@@ -30,6 +30,19 @@ TEST(SceneGrid, BeginsAt60HzAndHasNothingTwice) {
     }
 }
 
+TEST(SceneGrid, EffectsAreTriedAloneAndTogether) {
+    const Setting plain{.step_hz = 120};
+    EXPECT_EQ(with_fidelities(plain, {"cloth"}).size(), 2U);
+    const std::vector<Setting> all = with_fidelities(plain, {"cloth", "rope"});
+    ASSERT_EQ(all.size(), 6U);
+    EXPECT_EQ(setting_text(all[0]), "small_step 120 Hz x 2-16, float32, cloth draft, rope draft");
+    EXPECT_EQ(setting_text(all[2]), "small_step 120 Hz x 2-16, float32, rope draft");
+    EXPECT_EQ(setting_text(all[3]),
+              "small_step 120 Hz x 2-16, float32, cloth precise, rope precise");
+    EXPECT_EQ(reference_setting(240, {"rope"}).fidelity.front().fidelity, scene::Fidelity::Precise);
+    EXPECT_LT(guessed_cost(all[0]), guessed_cost(plain));
+}
+
 TEST(SceneGrid, CostsAreGuessedByRateWorkAndPrecision) {
     const Setting one{.step_hz = 60, .substeps = 0};
     EXPECT_DOUBLE_EQ(guessed_cost(one), 1);
