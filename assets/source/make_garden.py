@@ -267,7 +267,34 @@ for kind, count, center, radius, height in [("birds", 6, (2, 13, -6), 24, 6), ("
 heading("a flag")
 FLAG = (4.85, 0, -1.9)
 entity("flagpole", FLAG, model='"models/flagpole.glb"', body=['kind = "static"', "shape = { compound = [{ cylinder = [0.05, 5.2], position_m = [0, 2.6, 0] }] }"])
-entity("flag", FLAG, model='"models/flag.glb"', rotation_deg=vec(0, math.degrees(math.atan2(-WIND[2], WIND[0])), 0))
+DOWNWIND = math.degrees(math.atan2(-WIND[2], WIND[0]))
+
+
+def cloth(name, size, center, turn, material, cells, pins, density=0.12):
+    put(f'\n[[cloth]]\nname = "{name}"\nsize_m = {vec(*size)}\nposition_m = {vec(*center)}\nrotation_deg = {vec(0, turn, 0)}\n'
+        f'cells = [{cells[0]}, {cells[1]}]\ndensity_kgpm2 = {density}\nstretch_Npm = {3300 * density:.0f}\nbend_Nm = 2e-5\ndamping_s = 0.002\ndrag = 1.2\n'
+        f'material = "{material}"\npins = [{", ".join(pins)}]')
+
+
+# From the pole, along the wind.
+reach = 0.04 + 0.75
+cloth("flag", (1.5, 0.95), (FLAG[0] + reach * math.cos(math.radians(DOWNWIND)), 4.58, FLAG[2] - reach * math.sin(math.radians(DOWNWIND))),
+      DOWNWIND, "flag", (14, 9), ['{ edge = "left", to = "flagpole" }'])
+
+heading("washing on a line")
+LINE, LINE_END, LINE_HIGH = (9.1, 0.2), (11.5, -2.8), 1.78
+along = (LINE_END[0] - LINE[0], LINE_END[1] - LINE[1])
+LINE_LONG, LINE_TURN = math.hypot(*along), math.degrees(math.atan2(-along[1], along[0]))
+for i, (x, z) in enumerate([LINE, LINE_END]):
+    entity(f"washing_post_{i + 1}", (x, 0.92, z), primitive="{ cylinder = [0.04, 1.84] }", material='"wood"', body=['kind = "static"'])
+entity("washing_line", ((LINE[0] + LINE_END[0]) / 2, LINE_HIGH, (LINE[1] + LINE_END[1]) / 2), primitive=f"{{ cylinder = [0.006, {LINE_LONG:.3f}] }}",
+       material='"rope"', rotation_deg=vec(90, 90 + LINE_TURN, 0))
+for name, share, size, material, cells in [("sheet", 0.27, (1.2, 0.9), "linen", (10, 8)), ("towel", 0.57, (0.55, 0.8), "cloth", (6, 8)),
+                                           ("cloth", 0.8, (0.6, 0.6), "curtain", (6, 6))]:
+    cloth(f"washing_{name}", size, (LINE[0] + share * along[0], LINE_HIGH - size[1] / 2, LINE[1] + share * along[1]), LINE_TURN, material, cells,
+          ["{ at = [0, 0] }", "{ at = [0.5, 0] }", "{ at = [1, 0] }"], density=0.6)  # wet
+
+put(f'\n[[water]]\nname = "pool"\nbasin = "fountain"\nlevel_m = 0.5')
 
 heading("its water: a jet into the upper bowl, and what runs over from bowl to bowl")
 # Of the water's surface in the model: radius, height.
