@@ -31,6 +31,9 @@ SCENES = {
     "cans": (1.0, "-0.1,1.9,-2.6,3,-8"),
     "lamps": (0.8, None),
     "joints": (0.8, "1.2,2.6,7.2,4,-9"),
+    **{f"effects/{name}": (seconds, None) for name, seconds in
+       [("buoyancy", 3.0), ("cloth", 1.5), ("conveyor", 2.5), ("drag", 1.0), ("explosion", 2.3), ("fracture", 1.0),
+        ("magnets", 0.3), ("rope", 0.5), ("soft", 2.0), ("vehicles", 2.5), ("water", 1.0), ("wind", 4.0)]},
 }
 HARD = {
     "hard/H01": (1.0, None),

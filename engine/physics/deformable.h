@@ -97,9 +97,7 @@ private:
     void load_holders();
 
     std::unique_ptr<PointBody> body_;
-    double thickness_m_;
-    double friction_;
-    double substeps_per_s_;
+    DeformableDef def_;  ///< without pins: holders_ has them
     std::vector<Holder> holders_;
     std::vector<NearBody> near_;
     std::vector<BodyId> movable_;

@@ -49,12 +49,12 @@ public:
     std::span<const Vec3d> velocities_mps() const { return velocities_mps_; }
     double mass_kg(std::size_t point) const { return masses_kg_[point]; }
     double mass_kg() const;
+    /// 0: it is pinned.
     double inverse_mass(std::size_t point) const { return inverse_masses_[point]; }
 
     /// From now on the point goes where it is led.
     void pin(std::size_t point) { inverse_masses_[point] = 0; }
     void unpin(std::size_t point) { inverse_masses_[point] = 1 / masses_kg_[point]; }
-    bool is_pinned(std::size_t point) const { return inverse_masses_[point] == 0; }
     void lead(std::size_t point, const Vec3d& velocity_mps) {
         velocities_mps_[point] = velocity_mps;
     }

@@ -12,9 +12,8 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
-#include "engine/scene/environment/basin.h"
 #include "engine/scene/environment/vehicle.h"
-#include "engine/scene/environment/wave_field.h"
+#include "engine/scene/environment/water.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/surfaces.h"
 
@@ -113,16 +112,6 @@ struct SceneDeformable {
     std::vector<Vec3d> before_m;  ///< its points at the beginning of the latest step
     /// Gives what is drawn the shape that it has when its points are there.
     std::function<void(std::span<const Vec3d> points_m, assets::MeshData& mesh)> shape_mesh;
-};
-
-/// A water of the scene file.
-struct SceneWater {
-    Vec3d min_m{0, 0, 0};
-    Vec3d max_m{0, 0, 0};          ///< y: the level
-    ecs::Entity surface{};         ///< what is drawn of it; null: nothing
-    std::optional<Basin> basin{};  ///< none: it fills its box
-    std::unique_ptr<WaveField>
-        waves{};  ///< of a surface that is not flat, while effect water lives
 };
 
 /// Who asks for contact events: they are made while somebody does.

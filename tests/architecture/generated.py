@@ -17,6 +17,7 @@ SCENES = "assets/scenes"
 # Script -> the file that gets what it prints; None: it writes its files itself.
 SCRIPTS = {
     "make_bench_scenes.py": None,
+    "make_effect_scenes.py": None,
     "make_fairground.py": "fairground.toml",
     "make_garden.py": "garden.toml",
     "make_hard_scenes.py": None,

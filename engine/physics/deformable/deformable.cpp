@@ -57,13 +57,11 @@ bool may_reach(
 Deformable::Deformable(const PhysicsWorld& world,
                        std::unique_ptr<PointBody> body,
                        const DeformableDef& def)
-    : body_(std::move(body)),
-      thickness_m_(def.thickness_m),
-      friction_(def.friction),
-      substeps_per_s_(def.substeps_per_s) {
-    if (def.self_collision) self_contacts_.emplace(*body_, thickness_m_, friction_);
+    : body_(std::move(body)), def_(def) {
+    def_.pins.clear();
+    if (def.self_collision) self_contacts_.emplace(*body_, def_.thickness_m, def_.friction);
     for (const DeformablePin& pin : def.pins) {
-        if (body_->is_pinned(pin.point)) continue;
+        if (body_->inverse_mass(pin.point) == 0) continue;
         body_->pin(pin.point);
         Vec3d at = body_->positions_m()[pin.point];
         if (pin.to) {
@@ -122,7 +120,7 @@ void Deformable::list_near(const PhysicsWorld& world) {
         high = glm::max(high, at);
     }
     for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
-    const double around_m = kMargin_m + thickness_m_ + std::sqrt(fastest2) * step_s_;
+    const double around_m = kMargin_m + def_.thickness_m + std::sqrt(fastest2) * step_s_;
     low -= around_m;
     high += around_m;
     for (const BodyId id : bodies_in_box(world, Vec3(low - kAhead_m), Vec3(high + kAhead_m))) {
@@ -143,7 +141,7 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
         near.radius_m = radius_m(world, id);
     }
-    near.friction = std::sqrt(friction_ * friction_of(world, id));
+    near.friction = std::sqrt(def_.friction * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);
         const double places = std::ceil(1.5 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
@@ -199,11 +197,11 @@ void Deformable::act(const PhysicsWorld& world,
     done_s_ += seconds;
     if (asleep_) return;
     place_near(bodies, seconds);
-    contacts_.find(world, *body_, near_, thickness_m_, seconds);
+    contacts_.find(world, *body_, near_, def_.thickness_m, seconds);
     if (self_contacts_) self_contacts_->find(*body_, seconds);
     const Vec3d gravity_mps2(world.def().gravity_mps2);
     kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
-    const auto most = static_cast<std::uint32_t>(std::max(1.0, substeps_per_s_ * seconds));
+    const auto most = static_cast<std::uint32_t>(std::max(1.0, def_.substeps_per_s * seconds));
     std::uint32_t taken = 0;
     for (double left_s = seconds; left_s > kNoTime * seconds && body_->is_sound();) {
         // Tension grows as it is drawn: planned anew every few sub-steps.

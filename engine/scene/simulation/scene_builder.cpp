@@ -139,6 +139,37 @@ void warn_of_lights(Simulation& simulation) {
     }
 }
 
+/// Each in file order, as far as one is refused.
+template <class T, class Add>
+Result<Done> add_all(const std::vector<T>& list, const Add& add) {
+    for (const T& each : list) {
+        Result<Done> made = add(each);
+        if (!made) return made;
+    }
+    return Done{};
+}
+
+/// What is more than one entity: waters in their basins, joints, and what bodies are held by.
+Result<Done> add_wholes(Simulation& simulation, const SceneDescription& scene) {
+    const ForceDescription& forces = scene.forces;
+    Result<Done> made =
+        add_all(forces.waters, [&](const auto& water) { return add_water(simulation, water); });
+    if (made)
+        made =
+            add_all(scene.joints, [&](const auto& joint) { return simulation.add_joint(joint); });
+    if (made)
+        made = add_all(forces.ropes, [&](const auto& rope) { return simulation.add_rope(rope); });
+    if (made)
+        made =
+            add_all(forces.cloths, [&](const auto& cloth) { return simulation.add_cloth(cloth); });
+    if (made)
+        made = add_all(forces.softs, [&](const auto& soft) { return simulation.add_soft(soft); });
+    if (made)
+        made = add_all(forces.vehicles,
+                       [&](const auto& vehicle) { return simulation.add_vehicle(vehicle); });
+    return made;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& described,
@@ -173,30 +204,7 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = build_array(array, simulation->builder());
         if (!made) return made.error();
     }
-    for (const WaterDescription& water : description.forces.waters) {
-        const Result<Done> made = add_water(*simulation, water);
-        if (!made) return made.error();
-    }
-    for (const JointDescription& joint : description.joints) {
-        const Result<Done> made = simulation->add_joint(joint);
-        if (!made) return made.error();
-    }
-    for (const RopeDescription& rope : description.forces.ropes) {
-        const Result<Done> made = simulation->add_rope(rope);
-        if (!made) return made.error();
-    }
-    for (const ClothDescription& cloth : description.forces.cloths) {
-        const Result<Done> made = simulation->add_cloth(cloth);
-        if (!made) return made.error();
-    }
-    for (const SoftDescription& soft : description.forces.softs) {
-        const Result<Done> made = simulation->add_soft(soft);
-        if (!made) return made.error();
-    }
-    for (const VehicleDescription& vehicle : description.forces.vehicles) {
-        const Result<Done> made = simulation->add_vehicle(vehicle);
-        if (!made) return made.error();
-    }
+    if (const Result<Done> made = add_wholes(*simulation, description); !made) return made.error();
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
     warn_of_overlaps(*simulation);

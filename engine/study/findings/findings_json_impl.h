@@ -4,23 +4,6 @@
 #include "engine/study/findings/findings.h"
 #include "engine/study/findings/json_fields_impl.h"
 
-/// It lies in another namespace, where the functions of this one are not looked for.
-template <>
-struct nlohmann::adl_serializer<plumbline::scene::EffectFidelity> {
-    static void to_json(auto& json, const plumbline::scene::EffectFidelity& each) {
-        json["effect"] = each.effect;
-        json["fidelity"] = plumbline::study::word_of(each.fidelity);
-    }
-    static void from_json(const auto& json, plumbline::scene::EffectFidelity& each) {
-        json.at("effect").get_to(each.effect);
-        const auto& words = plumbline::study::kWords<plumbline::scene::Fidelity>;
-        const auto found =
-            std::ranges::find(words, json.at("fidelity").template get<std::string>());
-        if (found == words.end()) throw std::runtime_error("expected a fidelity");
-        each.fidelity = static_cast<plumbline::scene::Fidelity>(found - words.begin());
-    }
-};
-
 namespace plumbline::study {
 
 void fields(const auto& field, Like<Setting> auto& setting) {

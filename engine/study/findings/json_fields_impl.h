@@ -8,7 +8,9 @@
 #include "engine/core/math.h"
 #include "engine/core/result.h"
 #include "engine/physics/physics_world.h"
+#include "engine/scene/environment/field_description.h"
 #include "engine/scene/formats/json_read.h"
+#include "engine/study/setting.h"
 #include "engine/study/words.h"
 
 #include <fmt/format.h>
@@ -21,6 +23,23 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+/// It lies in another namespace, where the functions of this one are not looked for.
+template <>
+struct nlohmann::adl_serializer<plumbline::scene::EffectFidelity> {
+    static void to_json(auto& json, const plumbline::scene::EffectFidelity& each) {
+        json["effect"] = each.effect;
+        json["fidelity"] = plumbline::study::word_of(each.fidelity);
+    }
+    static void from_json(const auto& json, plumbline::scene::EffectFidelity& each) {
+        json.at("effect").get_to(each.effect);
+        const auto& words = plumbline::study::kWords<plumbline::scene::Fidelity>;
+        const auto found =
+            std::ranges::find(words, json.at("fidelity").template get<std::string>());
+        if (found == words.end()) throw std::runtime_error("expected a fidelity");
+        each.fidelity = static_cast<plumbline::scene::Fidelity>(found - words.begin());
+    }
+};
 
 namespace plumbline::study {
 
@@ -54,6 +73,10 @@ struct FieldWriter {
     void operator()(const char* key, const std::optional<T>& part) const {
         if (part) (*this)(key, *part);
     }
+    /// Likewise.
+    void operator()(const char* key, const std::vector<scene::EffectFidelity>& fidelity) const {
+        if (!fidelity.empty()) json[key] = fidelity;
+    }
 };
 
 /// Takes each member that fields() names from an object.
@@ -81,6 +104,9 @@ struct FieldReader {
     template <class T>
     void operator()(const char* key, std::optional<T>& part) const {
         if (json.contains(key)) (*this)(key, part.emplace());
+    }
+    void operator()(const char* key, std::vector<scene::EffectFidelity>& fidelity) const {
+        if (json.contains(key)) json.at(key).get_to(fidelity);
     }
     void operator()(const char* key, physics::Solver& solver) const {
         const std::string name = json.at(key);

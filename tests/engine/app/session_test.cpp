@@ -47,6 +47,32 @@ TEST_F(SessionTest, TheHourThatWasAskedForIsThatOfEveryStart) {
     }
 }
 
+TEST_F(SessionTest, AnotherFidelityBuildsAnewAndIsSavedAlong) {
+    folder_.write("scene.toml",
+                  kTwoCubes + "[[cloth]]\nsize_m = [1, 1]\nposition_m = [0, 20, 0]\n");
+    const auto session = open();
+    ASSERT_TRUE(session);
+    const auto points = [&] {
+        return session->simulation->cloths().front().body->body().positions_m().size();
+    };
+    EXPECT_EQ(points(), 21U * 21U);
+    study::Setting setting = session->accuracy();
+    setting.fidelity = {{"cloth", scene::Fidelity::Draft}};
+    ASSERT_TRUE(session->apply(SetAccuracy{setting}).ok());
+    EXPECT_EQ(points(), 11U * 11U);
+    EXPECT_EQ(session->accuracy(), setting);
+    const auto file = folder_.path() / "a.save";
+    ASSERT_TRUE(session->save(file, 0).ok());
+    ASSERT_TRUE(session->apply(StartAgain{}).ok());
+    EXPECT_EQ(points(), 11U * 11U) << "it starts as it was chosen";
+    ASSERT_TRUE(session->reload().ok());
+    EXPECT_EQ(points(), 21U * 21U) << "as the file says";
+    const Result<std::uint64_t> loaded = session->load(file);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    EXPECT_EQ(points(), 11U * 11U);
+    EXPECT_EQ(session->accuracy(), setting);
+}
+
 // EXPERIENCE F20
 TEST_F(SessionTest, TheHandIsOpenWhenWhatItHeldIsGone) {
     const auto session = open();

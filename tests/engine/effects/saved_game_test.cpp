@@ -66,8 +66,9 @@ TEST(SavedGameHead, OfAnotherVersionOfTheProgramIsRefused) {
     double time_s = 1;
     std::uint64_t steps = 60;
     std::vector<SavedGame::File> files;
+    std::vector<scene::EffectFidelity> fidelity;
     Archive head;
-    head(precision, build, scene, game, time_s, steps, files);
+    head(precision, build, scene, game, time_s, steps, files, fidelity);
     const Result<SavedGame> read = saved_game_from(shelled(head.written()), "a.save");
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().exit_code, ExitCode::Refused);

@@ -12,6 +12,7 @@ Point point_at(int step_hz, std::vector<scene::EffectFidelity> fidelity, double 
     point.setting.fidelity = std::move(fidelity);
     point.status = RunStatus::Done;
     point.errors = {error};
+    point.cost.repeats = 1;
     point.cost.ms_per_s_min = point.cost.ms_per_s_median = 60 * ms;
     return point;
 }

@@ -31,6 +31,23 @@ TEST_F(SceneRunTest, AFallingBallIsWhereGalileoSays) {
     }
 }
 
+TEST_F(SceneRunTest, EffectsWhoseFidelityIsOpenAreListed) {
+    const std::string dragged = std::string(kFalling) + "drag = {}\n";
+    SceneRun run = run_of(dragged);
+    const Result<SceneAnswer> open = SceneRunner().run(run);
+    ASSERT_TRUE(open);
+    EXPECT_EQ(open->effects, std::vector<std::string>{"drag"});
+    run.setting.fidelity = {{"drag", scene::Fidelity::Draft}};
+    const Result<SceneAnswer> coarse = SceneRunner().run(run);
+    ASSERT_TRUE(coarse);
+    EXPECT_NE(coarse->traces[0].moments[1].bodies.at(0).position_m.y,
+              open->traces[0].moments[1].bodies.at(0).position_m.y);
+    run = run_of(dragged + "[effects.drag]\nfidelity = \"precise\"\n");
+    const Result<SceneAnswer> given = SceneRunner().run(run);
+    ASSERT_TRUE(given);
+    EXPECT_TRUE(given->effects.empty());
+}
+
 TEST_F(SceneRunTest, RepeatsAreForTheClockAlone) {
     SceneRun run = run_of(kFalling);
     run.repeats = 3;
