@@ -19,6 +19,13 @@ PlayedScene::PlayedScene(std::unique_ptr<scene::Simulation> simulation)
     play_case_events(*simulation_);
 }
 
+std::set<physics::BodyId> rope_pieces(const scene::Simulation& simulation) {
+    std::set<physics::BodyId> pieces;
+    for (const scene::Rope& rope : simulation.ropes())
+        pieces.insert(rope.pieces.begin(), rope.pieces.end());
+    return pieces;
+}
+
 Result<PlayedScene> PlayedScene::create(const scene::OpenedScene& scene,
                                         assets::AssetLibrary& library) {
     Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);

@@ -8,12 +8,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace plumbline::study {
 
 /// Opens a scene file with the installed data. Refused: what scene::open_scene() refuses.
 Result<scene::OpenedScene> open_for_study(const std::filesystem::path& file,
                                           const scene::SimulationOverrides& overrides = {});
+
+/// Of all ropes. Their number depends on the fidelity of ropes, so no two runs are compared by them.
+std::set<physics::BodyId> rope_pieces(const scene::Simulation& simulation);
 
 class PlayedScene {
 public:

@@ -5,6 +5,7 @@
 #include "engine/core/hash.h"
 #include "engine/scene/paths/scene_list.h"
 #include "tests/scenarios/scene_run.h"
+#include "tests/support/scene_in_code.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,33 @@ TEST_P(SavedScene, GoesOnToTheSameBitsWithEverySolver) {
         second.step(kAfter);
         EXPECT_EQ(hex_of(second.simulation->state_hash()), hex_of(first.simulation->state_hash()));
     }
+}
+
+// What was dropped floats on, and the waves know what went in the latest step.
+TEST(SavedWater, KnowsWhatPlayAddedAndTookAway) {
+    const TemporaryFolder folder;
+    SceneRun first("effects/water.toml");
+    ASSERT_TRUE(first.simulation);
+    for (const Real x : {-1.6_r, 1.6_r}) {
+        scene::EntityDescription box =
+            test::box("dropped", {x, 1.4_r, -0.6_r}, {0.4_r, 0.4_r, 0.4_r});
+        box.body->mass_kg = 20;
+        ASSERT_TRUE(first.simulation->registry.alive(first.simulation->spawn(box)));
+    }
+    first.step(60);
+    first.simulation->registry.mark_for_destruction(first.simulation->find("dropped#1"));
+    first.step(1);
+    ASSERT_FALSE(first.simulation->registry.alive(first.simulation->find("dropped#1")));
+    const auto file = folder / "one.save";
+    ASSERT_TRUE(effects::save_game(file, first.running(), 61).ok());
+    SceneRun second("effects/water.toml");
+    const Result<effects::SavedGame> read = effects::read_saved_game(file);
+    ASSERT_TRUE(read.ok());
+    const Result<Done> there = effects::put_back(*read, file, second.running());
+    ASSERT_TRUE(there.ok()) << there.error().message;
+    first.step(60);
+    second.step(60);
+    EXPECT_EQ(hex_of(second.simulation->state_hash()), hex_of(first.simulation->state_hash()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped,

@@ -28,6 +28,9 @@ constexpr double kWakingRise_m = 1e-3;
 /// 0.2 (Newman, Marine Hydrodynamics, 6.19).
 constexpr double kRadiated = 0.1;
 
+/// Of bodies; a damaged save names none beyond.
+constexpr std::uint32_t kMostIndex = 1U << 24U;
+
 struct Afloat {
     double coefficient{1};
     double mass_kg{1};
@@ -43,6 +46,19 @@ struct Afloat {
     double moved_m3{0};      ///< more of it by its own motion in the latest step
     Vec3d place_m{0, 0, 0};  ///< ... and where
     bool followed{false};    ///< since the step before: what it had under water then is known
+
+    void serialize(Archive& archive) {
+        archive(coefficient, mass_kg, radius_m, half_m, water, rise_m, slope.x, slope.y, added_kg);
+        archive(reckoned_kg, volume_m3, moved_m3, place_m, followed);
+    }
+};
+
+/// As saved games have it: those that went in the latest step, too, whose volume the waves still know.
+struct KeptAfloat {
+    BodyId body{};
+    Afloat own{};
+
+    void serialize(Archive& archive) { archive(body, own); }
 };
 
 class Buoyancy final : public FieldEffect<Afloat> {
@@ -87,17 +103,19 @@ public:
     }
 
     void serialize(Archive& archive) override {
-        for (auto& [body, own] : receivers_.all())
-            archive(own.water,
-                    own.rise_m,
-                    own.slope.x,
-                    own.slope.y,
-                    own.added_kg,
-                    own.reckoned_kg,
-                    own.volume_m3,
-                    own.moved_m3,
-                    own.place_m,
-                    own.followed);
+        std::vector<KeptAfloat> kept;
+        for (const auto& [body, own] : receivers_.all()) kept.push_back({body, own});
+        archive(kept);
+        if (!archive.reads()) return;
+        const auto waters = static_cast<int>(simulation_.waters.size());
+        receivers_.clear();
+        for (const KeptAfloat& each : kept) {
+            if (archive.expect(each.own.water < waters && each.body.index < kMostIndex,
+                               "a body and a water that are there"))
+                receivers_.add(each.body, each.own);
+        }
+        receivers_.sort();
+        list_before_next_step();
     }
 
 private:

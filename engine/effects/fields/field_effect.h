@@ -120,6 +120,8 @@ protected:
         list_receivers();
         receivers_.sort();
     }
+    /// For what has taken up receivers of a saved game: they are compared with those there are before the next step.
+    void list_before_next_step() { listed_revision_ = ~std::uint64_t{0}; }
     /// Fills receivers_ anew.
     virtual void list_receivers() = 0;
     /// Before each step: wakes what rests and should not any more.

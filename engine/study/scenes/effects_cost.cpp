@@ -61,11 +61,8 @@ struct Passed {
     std::vector<Vec3d> places_m;  ///< of all that moves but pieces of ropes, in the end
 };
 
-/// The number of a rope's pieces depends on its fidelity.
 std::vector<Vec3d> places_of(const scene::Simulation& simulation) {
-    std::set<physics::BodyId> pieces;
-    for (const scene::Rope& rope : simulation.ropes())
-        pieces.insert(rope.pieces.begin(), rope.pieces.end());
+    const std::set<physics::BodyId> pieces = rope_pieces(simulation);
     std::vector<Vec3d> places_m;
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (!pieces.contains(moving.body) && simulation.physics.contains(moving.body))

@@ -41,10 +41,8 @@ public:
           steps_per_sample_(
               std::max(1, static_cast<int>(std::lround(kSampleEvery_s / simulation_.step_s())))) {
         scene_.start();
-        // The number of pieces depends on the fidelity of ropes: they count where nothing else moves.
-        std::set<physics::BodyId> pieces;
-        for (const scene::Rope& rope : simulation_.ropes())
-            pieces.insert(rope.pieces.begin(), rope.pieces.end());
+        // They count where nothing else moves.
+        const std::set<physics::BodyId> pieces = rope_pieces(simulation_);
         std::size_t others = 0;
         for (const scene::MovingBody& moving : simulation_.moving_bodies())
             others += moving.kind == physics::BodyKind::Dynamic && !pieces.contains(moving.body);
