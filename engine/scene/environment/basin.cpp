@@ -117,28 +117,27 @@ double Basin::volume_m3() const {
 }
 
 Vec3d Basin::min_m() const {
-    Vec3d low{kFar_m, level_m_, 0};
-    low.z = low.x;
+    Vec3d low{kFar_m, level_m_, kFar_m};
     for (std::size_t cell = 0; cell < is_water_.size(); ++cell) {
         if (is_water_[cell] == 0) continue;
-        const glm::dvec2 corner = low_m_ + cell_m_ * glm::dvec2(static_cast<double>(cell % kCells),
-                                                                static_cast<double>(cell / kCells));
+        const glm::dvec2 corner = corner_of(cell % kCells, cell / kCells);
         low = glm::min(low, {corner.x, lines_[cell].ground_m, corner.y});
     }
     return low;
 }
 
 Vec3d Basin::max_m() const {
-    Vec3d high{-kFar_m, level_m_, 0};
-    high.z = high.x;
+    Vec3d high{-kFar_m, level_m_, -kFar_m};
     for (std::size_t cell = 0; cell < is_water_.size(); ++cell) {
         if (is_water_[cell] == 0) continue;
-        const glm::dvec2 corner =
-            low_m_ + cell_m_ * glm::dvec2(static_cast<double>(cell % kCells + 1),
-                                          static_cast<double>(cell / kCells + 1));
+        const glm::dvec2 corner = corner_of(cell % kCells + 1, cell / kCells + 1);
         high = glm::max(high, {corner.x, level_m_, corner.y});
     }
     return high;
+}
+
+glm::dvec2 Basin::corner_of(std::size_t column, std::size_t row) const {
+    return low_m_ + cell_m_ * glm::dvec2(static_cast<double>(column), static_cast<double>(row));
 }
 
 bool Basin::touches_water(std::size_t column, std::size_t row) const {
@@ -156,9 +155,9 @@ std::vector<Basin::Cell> Basin::surface() const {
     for (std::size_t row = 0; row < kCells; ++row) {
         for (std::size_t column = 0; column < kCells; ++column) {
             if (!touches_water(column, row)) continue;
-            const double x = low_m_.x + cell_m_.x * static_cast<double>(column);
-            const double z = low_m_.y + cell_m_.y * static_cast<double>(row);
-            cells.push_back({x, z, x + cell_m_.x, z + cell_m_.y});
+            const glm::dvec2 low = corner_of(column, row);
+            const glm::dvec2 high = corner_of(column + 1, row + 1);
+            cells.push_back({low.x, low.y, high.x, high.y});
         }
     }
     return cells;

@@ -44,6 +44,8 @@ private:
     };
     void cut(const Vec3d& a, const Vec3d& b, const Vec3d& c);
     void flood();
+    /// At the lower x and z of a cell.
+    glm::dvec2 corner_of(std::size_t column, std::size_t row) const;
     bool touches_water(std::size_t column, std::size_t row) const;
 
     double level_m_;

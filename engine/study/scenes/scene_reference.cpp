@@ -220,7 +220,7 @@ private:
 
         std::vector<SceneRun> runs;
         for (int first = 0; first < copies; first += 2) {
-            const auto seed = static_cast<std::uint64_t>(first + 1);
+            const auto seed = static_cast<std::uint64_t>(first) + 1;
             runs.push_back(copies_at(step_hz, 2, seed, shift_m));
             runs.push_back(copies_at(step_hz / 2, 2, seed, shift_m));
         }
