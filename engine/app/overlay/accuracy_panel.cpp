@@ -6,7 +6,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -84,13 +83,13 @@ bool choose_setting(Setting& setting) {
 }
 
 /// Each effect that bodies feel and something calls for, with what another fidelity costs and buys as far as a study has seen.
-bool choose_fidelities(const AccuracyControl& control, Setting& setting) {
-    constexpr std::array<const char*, 3> kLevels{"draft", "balanced", "precise"};
+bool choose_fidelities(const std::vector<EffectInPlay>& effects, Setting& setting) {
     bool changed = false;
-    for (const EffectInPlay& effect : control.effects()) {
+    for (const EffectInPlay& effect : effects) {
         int level = static_cast<int>(effect.fidelity);
         const std::string label = fmt::format("{}##fidelity", effect.name);
-        if (choose_count(label.c_str(), level, 0, 2, kLevels[static_cast<std::size_t>(level)])) {
+        const std::string shown(study::word_of(effect.fidelity));
+        if (choose_count(label.c_str(), level, 0, 2, shown.c_str())) {
             std::erase_if(setting.fidelity,
                           [&](const auto& each) { return each.effect == effect.name; });
             setting.fidelity.push_back({effect.name, static_cast<scene::Fidelity>(level)});
@@ -211,10 +210,11 @@ float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& request
         text(fmt::format("{}\nAccuracy is locked while replaying.", study::setting_text(setting)));
     else if (choose_setting(setting))
         requests.push_back(WorldRequest{SetAccuracy{setting}});
-    if (!shown.replaying && !shown.control.effects().empty()) {
+    const std::vector<EffectInPlay> effects = shown.control.effects();
+    if (!shown.replaying && !effects.empty()) {
         ImGui::Separator();
         text("Effects; another fidelity starts the scene again");
-        if (choose_fidelities(shown.control, setting))
+        if (choose_fidelities(effects, setting))
             requests.push_back(WorldRequest{SetAccuracy{setting}});
         ImGui::Separator();
     }

@@ -53,14 +53,6 @@ struct Afloat {
     }
 };
 
-/// As saved games have it: those that went in the latest step, too, whose volume the waves still know.
-struct KeptAfloat {
-    BodyId body{};
-    Afloat own{};
-
-    void serialize(Archive& archive) { archive(body, own); }
-};
-
 class Buoyancy final : public FieldEffect<Afloat> {
 public:
     explicit Buoyancy(scene::Simulation& simulation) : FieldEffect(simulation, "buoyancy") {
@@ -103,13 +95,13 @@ public:
     }
 
     void serialize(Archive& archive) override {
-        std::vector<KeptAfloat> kept;
-        for (const auto& [body, own] : receivers_.all()) kept.push_back({body, own});
+        // Those that went in the latest step, too: the waves still know their volume.
+        std::vector<Receivers<Afloat>::Entry> kept = receivers_.all();
         archive(kept);
         if (!archive.reads()) return;
         const auto waters = static_cast<int>(simulation_.waters.size());
         receivers_.clear();
-        for (const KeptAfloat& each : kept) {
+        for (const auto& each : kept) {
             if (archive.expect(each.own.water < waters && each.body.index < kMostIndex,
                                "a body and a water that are there"))
                 receivers_.add(each.body, each.own);

@@ -1,6 +1,7 @@
 // An effect that is a force field: steps ask it for as long as it lives.
 #pragma once
 
+#include "engine/core/io/archive.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/effects/effect_table.h"
 #include "engine/physics/force_field.h"
@@ -22,6 +23,8 @@ public:
     struct Entry {
         physics::BodyId body{};
         T own{};
+
+        void serialize(Archive& archive) { archive(body, own); }
     };
 
     void clear() {
