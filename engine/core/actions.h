@@ -47,6 +47,7 @@ enum class ActionGroup : std::uint8_t { Walk, Things, View, Light, CameraPath, T
     ROW(Remove, "remove", Things, "Delete the object")                                        \
     ROW(UndoDrop, "undo_drop", Things, "Undo the last drop")                                  \
     ROW(Shoot, "shoot", Things, "Shoot a 1 kg box at 25 m/s")                                 \
+    ROW(Tie, "tie", Things, "Tie a rope from here to there, or cut the rope")                 \
     ROW(Lift, "lift", Things, "Lift the object with 20 N (hold)")                             \
     ROW(Explode, "explode", Things, "Explosion at the crosshair")                             \
     ROW(Flashlight, "flashlight", View, "Flashlight on/off")                                  \

@@ -81,6 +81,9 @@ struct BodyLoad {
 /// Forces of the latest step, world axes; an impact counts as a force over `impact_s`.
 std::vector<BodyLoad> loads_on(const PhysicsWorld& world, BodyId body, double impact_s);
 
+/// The joint carries nothing from now on, as if it had broken; both its ends wake.
+void cut_joint(PhysicsWorld& world, JointId id);
+
 /// Each joint that holds `from` holds, from now on and at the same place, the body that `to` names for its anchor there: one that
 /// moves. It keeps its zero and what it carried.
 void hand_over_joints(PhysicsWorld& world,

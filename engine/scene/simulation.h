@@ -12,6 +12,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
+#include "engine/scene/environment/rope.h"
 #include "engine/scene/environment/vehicle.h"
 #include "engine/scene/environment/water.h"
 #include "engine/scene/scene_description.h"
@@ -37,6 +38,8 @@ namespace plumbline::scene {
 
 class EntityBuilder;
 struct FragileWhole;
+struct RopeLayout;
+struct SavedRope;
 
 /// What play may switch while a scene runs; effects read it.
 struct LiveSwitches {
@@ -91,18 +94,6 @@ struct SceneJoint {
     float creak{0.0F};            ///< how loudly it creaks; 0: not at all
     SourceLocation location{};
 };
-
-/// A rope of the scene file: pieces from a to b, and what holds them.
-struct Rope {
-    std::string name;
-    double piece_m{0};                      ///< unstretched
-    std::array<physics::BodyId, 2> ends{};  ///< null: the world, or nothing
-    std::array<Vec3, 2> anchors_m{};        ///< in these bodies' frames; of the world, world
-    std::vector<physics::BodyId> pieces;
-    /// One before each piece, and one after the last where b is tied to something.
-    std::vector<physics::JointId> joints;
-};
-struct RopeLayout;
 
 /// A cloth or a soft body of the scene file.
 struct SceneDeformable {
@@ -241,6 +232,9 @@ public:
     std::span<const Rope> ropes() const { return bodies_.ropes; }
     /// Makes its pieces and what holds them; as add_joint().
     Result<Done> add_rope(const RopeDescription& description);
+    /// Ties a rope in play, a little longer than its ends are apart, under a numbered name: "rope#1". Its description joins
+    /// those of the file. Refused: as add_rope(); then nothing is left of it.
+    Result<Done> tie_rope(const RopeEnds& ends);
     /// Both ends and where its pieces meet, from a to b.
     std::vector<Vec3d> points_of(const Rope& rope) const;
 
@@ -326,6 +320,8 @@ private:
     void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Transform& whole);
     void sync_transforms();
     void report_quarantined();
+    bool tie_again(const SavedRope& saved);
+    Result<physics::BodyId> make_piece(const EntityDescription& piece, const Rope& rope);
     Result<Done> join_rope(const RopeDescription& description,
                            const RopeLayout& layout,
                            Rope& rope);

@@ -1,7 +1,7 @@
 #include "game/rules/camera_rig.h"
 
 #include "engine/physics/query.h"
-#include "game/rules/aim.h"
+#include "game/rules/hands/aim.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -3,7 +3,7 @@
 
 #include "engine/core/actions.h"
 #include "engine/scene/simulation.h"
-#include "game/rules/grab.h"
+#include "game/rules/hands/grab.h"
 
 #include <optional>
 

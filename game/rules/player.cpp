@@ -2,7 +2,7 @@
 
 #include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
-#include "game/rules/aim.h"
+#include "game/rules/hands/aim.h"
 
 #include <algorithm>
 #include <cmath>

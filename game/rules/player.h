@@ -6,7 +6,7 @@
 #include "engine/scene/game.h"
 #include "engine/scene/simulation.h"
 #include "game/rules/camera_rig.h"
-#include "game/rules/grab.h"
+#include "game/rules/hands/grab.h"
 
 #include <memory>
 #include <optional>

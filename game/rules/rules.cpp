@@ -118,6 +118,7 @@ void PlaygroundGame::forget_gone(scene::Simulation& simulation) {
     grab_.forget_gone(simulation);
     doors_.forget_gone(simulation);
     driver_.forget_gone(simulation);
+    tying_.forget_gone(simulation);
     if (!simulation.physics.contains(lifted_)) lifted_ = {};
 }
 
@@ -151,6 +152,7 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     shoot(simulation, actions);
     lift(simulation, actions);
     explode(simulation, actions);
+    tie(simulation, actions);
 }
 
 void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions) {

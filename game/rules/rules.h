@@ -6,9 +6,10 @@
 #include "game/rules/camera_rig.h"
 #include "game/rules/drive.h"
 #include "game/rules/goal.h"
-#include "game/rules/grab.h"
+#include "game/rules/hands/grab.h"
+#include "game/rules/hands/things.h"
+#include "game/rules/hands/tying.h"
 #include "game/rules/player.h"
-#include "game/rules/things.h"
 #include "game/rules/use.h"
 
 #include <array>
@@ -86,6 +87,7 @@ private:
     void launch(scene::Simulation& simulation, Real charge);
     void hold(scene::Simulation& simulation, const Actions& actions);
     void freeze(scene::Simulation& simulation);
+    void tie(scene::Simulation& simulation, const Actions& actions);
     void remove_looked_at(scene::Simulation& simulation);
     /// What the hands may not touch: says so.
     bool is_guarded(ecs::Entity entity);
@@ -152,6 +154,7 @@ private:
     Dropping dropping_;
     Grab grab_;
     HandKeys keys_;
+    Tying tying_;
     Doors doors_;
     Driver driver_;
     physics::BodyId lifted_{};

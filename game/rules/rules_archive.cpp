@@ -25,8 +25,9 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
                    "nobody is there who walks");
     if (archive.failed()) return;
     grab_.serialize(archive, simulation);
-    archive(doors_, driver_);
+    archive(doors_, driver_, tying_);
     driver_.forget_gone(simulation);
+    tying_.forget_gone(simulation);
     if (goal_) archive(*goal_);
     archive(fov_, dropping_, keys_, pointer_, lifted_, viewed_.is_dragged);
 }

@@ -160,6 +160,15 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
     say(freezes ? "frozen" : "unfrozen");
 }
 
+void PlaygroundGame::tie(scene::Simulation& simulation, const Actions& actions) {
+    for (int i = 0; i < actions.presses(Action::Tie); ++i) {
+        const std::size_t ropes = simulation.ropes().size();
+        say(tying_.press(simulation, aim()));
+        if (simulation.ropes().size() > ropes)
+            things_.number(simulation, simulation.ropes().back());
+    }
+}
+
 void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
     ecs::Entity entity = grab_.entity();
     if (!grab_.holding()) {

@@ -138,6 +138,11 @@ void PlaygroundGame::add_lines(const scene::Simulation& simulation,
     } else if (looked && may_be_taken(simulation, *looked)) {
         add_corners(simulation, looked->entity, blend, kTaken, lines);
     }
+    if (const auto from_m = tying_.first_end_m(simulation)) {
+        const auto end = looked_at(simulation, now, Tying::kReach_m);
+        const Vec3 to_m = end ? end->point_m : now.eye_m + now.forward * Grab::kReach_m;
+        lines.add(Vec3f(*from_m), Vec3f(to_m), kPlaced);
+    }
     if (dropping_.preview_left_s <= 0) return;
     const auto placed = things_.preview(simulation, now);
     if (!placed) return;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/scene/simulation.h"
-#include "game/rules/aim.h"
-#include "game/rules/grab.h"
+#include "game/rules/hands/aim.h"
+#include "game/rules/hands/grab.h"
 
 #include <optional>
 #include <vector>

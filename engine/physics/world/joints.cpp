@@ -120,6 +120,11 @@ void detach_joint(JointRecord& joint, BulletEngine& engine) {
     engine.admit_pair(*joint.a, *joint.b);
 }
 
+void sever(JointRecord& joint, BulletEngine& engine) {
+    detach_joint(joint, engine);
+    joint.state.broken = true;
+}
+
 /// Seen from another body that stands there.
 void move_side(Vec3d& anchor_m, Quatd& frame, const MassPose& from, const MassPose& to) {
     const Quatd back = glm::conjugate(to.orientation);
@@ -210,8 +215,7 @@ void settle_joints(WorldState& world) {
     for (const JointId id : broken) {
         JointRecord& joint = *world.joints.get(id);
         world.wake_ends(joint);
-        detach_joint(joint, *world.engine);
-        joint.state.broken = true;
+        sever(joint, *world.engine);
     }
 }
 
@@ -279,6 +283,17 @@ void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& 
     joint.solver.motor = motor;
     if (joint.bullet) joint.bullet->drive();
     state_->wake_ends(joint);
+}
+
+void cut_joint(PhysicsWorld& world, JointId id) {
+    const WorldState& state = internals(world);
+    JointRecord& joint = *state.joints.get(id);
+    if (joint.state.broken) return;
+    world.wake(joint.def.a);
+    if (joint.b != nullptr) world.wake(joint.def.b);
+    sever(joint, *state.engine);
+    joint.state.force_N = 0;
+    joint.state.torque_Nm = 0;
 }
 
 void hand_over_joints(PhysicsWorld& world,

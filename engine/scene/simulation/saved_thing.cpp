@@ -1,6 +1,7 @@
 #include "engine/scene/simulation/saved_thing.h"
 
 #include "engine/scene/build/fragments.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 
@@ -37,6 +38,26 @@ SavedThing saved_thing(const Simulation& simulation, ecs::Entity entity) {
     saved.whole = whole.name;
     saved.pieces = fragile->pieces;
     return saved;
+}
+
+SavedRope saved_rope(const Simulation& simulation, std::size_t rope) {
+    const RopeDescription& description = simulation.description().forces.ropes[rope];
+    SavedRope saved{.name = description.name,
+                    .ends = {.names = {description.a, description.b},
+                             .anchors_world_m = {description.anchor_a_m, description.anchor_b_m}},
+                    .pieces = {}};
+    for (const physics::BodyId piece : simulation.ropes()[rope].pieces) {
+        const bool is_there = simulation.physics.contains(piece);
+        saved.pieces.push_back(
+            {.entity = is_there ? entity_of(simulation, piece) : ecs::Entity{}, .body = piece});
+    }
+    return saved;
+}
+
+bool is_of_tied_rope(const Simulation& simulation, ecs::Entity entity) {
+    const auto* part = simulation.registry.find<PartOf>(entity);
+    return part != nullptr && part->whole == PartOf::Whole::Rope &&
+           simulation.ropes()[part->index].tied;
 }
 
 bool reserve(Simulation& simulation, const std::vector<Made>& made) {

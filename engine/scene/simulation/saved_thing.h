@@ -30,6 +30,21 @@ struct SavedThing {
     }
 };
 
+/// One that play tied. Of pieces that went, the entity is null.
+struct SavedRope {
+    std::string name;
+    RopeEnds ends;
+    std::vector<Made> pieces;
+
+    void serialize(Archive& archive) { archive(name, ends, pieces); }
+};
+
+/// `rope`: in simulation.ropes(), tied in play.
+SavedRope saved_rope(const Simulation& simulation, std::size_t rope);
+
+/// A piece of a rope that play tied.
+bool is_of_tied_rope(const Simulation& simulation, ecs::Entity entity);
+
 /// The entity has Spawned.
 SavedThing saved_thing(const Simulation& simulation, ecs::Entity entity);
 

@@ -79,6 +79,7 @@ private:
     ecs::Entity remake_one(const Remake& remake);
     std::vector<ecs::Entity> entities_of_scene() const;
     void serialize_entities_of_scene();
+    void serialize_tied_ropes();
     void serialize_components();
     void serialize_moving();
     void serialize_joints();
@@ -155,7 +156,8 @@ std::vector<ecs::Entity> SimulationArchive::entities_of_scene() const {
     }
     std::vector<ecs::Entity> of_scene;
     for (auto [entity, name] : simulation_.registry.view<const Name>()) {
-        if (!made_in_play.contains(entity)) of_scene.push_back(entity);
+        if (!made_in_play.contains(entity) && !is_of_tied_rope(simulation_, entity))
+            of_scene.push_back(entity);
     }
     std::ranges::sort(of_scene);
     return of_scene;
@@ -171,6 +173,18 @@ void SimulationArchive::serialize_entities_of_scene() {
         if (!std::ranges::binary_search(saved, entity)) simulation_.registry.destroy(entity);
     }
     simulation_.forget_destroyed();
+}
+
+void SimulationArchive::serialize_tied_ropes() {
+    std::vector<SavedRope> tied;
+    for (std::size_t i = 0; i < simulation_.bodies_.ropes.size(); ++i) {
+        if (simulation_.bodies_.ropes[i].tied) tied.push_back(saved_rope(simulation_, i));
+    }
+    archive_(tied);
+    if (!archive_.reads() || archive_.failed()) return;
+    archive_.expect(std::ranges::all_of(
+                        tied, [&](const SavedRope& rope) { return simulation_.tie_again(rope); }),
+                    kOtherThings);
 }
 
 void SimulationArchive::serialize_bodies_of_scene() {
@@ -192,6 +206,7 @@ void SimulationArchive::serialize_bodies_of_scene() {
 
 void SimulationArchive::serialize_entities(const Remake& remake) {
     serialize_entities_of_scene();
+    serialize_tied_ropes();
     std::vector<ecs::Entity> spawned;
     for (auto [entity, mark] : simulation_.registry.view<const Spawned>())
         spawned.push_back(entity);

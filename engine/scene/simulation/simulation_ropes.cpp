@@ -3,6 +3,8 @@
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/rope_layout.h"
 #include "engine/scene/simulation.h"
+#include "engine/scene/simulation/entity_lookup.h"
+#include "engine/scene/simulation/saved_thing.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +17,20 @@ namespace {
 constexpr int kMostPieces = 200;
 constexpr int kHeldPieces = 3;  // next to an end: these may begin inside what holds it
 constexpr Real kPressedDecay_per_s = 2000;
+
+/// Of manila, two fingers thick, and loose enough to hang visibly between ends on one level.
+RopeDescription tied_rope(const std::string& name, const RopeEnds& ends) {
+    RopeDescription rope{.name = name, .a = ends.names[0], .b = ends.names[1]};
+    rope.anchor_a_m = ends.anchors_world_m[0];
+    rope.anchor_b_m = ends.anchors_world_m[1];
+    rope.length_m = 1.01 * ends.apart_m();
+    rope.radius_m = 0.015;
+    rope.mass_kg = 0.5 * rope.length_m;
+    rope.friction = 0.6;
+    rope.material = "rope";
+    rope.location.file = std::make_shared<const std::string>("play");
+    return rope;
+}
 
 /// As many as the fidelity asks for, at least by number and at most by length; no piece is thicker than long.
 int pieces_of(const RopeDescription& rope, Fidelity fidelity) {
@@ -102,13 +118,9 @@ Result<Done> Simulation::add_rope(const RopeDescription& description) {
         piece_of(description, static_cast<std::size_t>(pieces), layout.piece_m);
     for (const Pose& pose : layout.pieces()) {
         piece.world_from_body = pose;
-        const Result<ecs::Entity> made =
-            builder_->build(piece, fmt::format("{}.{}", rope.name, rope.pieces.size()));
+        const Result<physics::BodyId> made = make_piece(piece, rope);
         if (!made) return made.error();
-        registry.add<PartOf>(*made,
-                             PartOf{.whole = PartOf::Whole::Rope,
-                                    .index = static_cast<std::uint32_t>(bodies_.ropes.size())});
-        rope.pieces.push_back(registry.get<BodyRef>(*made).body);
+        rope.pieces.push_back(*made);
         const auto made_so_far = static_cast<int>(rope.pieces.size());
         const bool next_to_world = (description.a == "world" && made_so_far <= kHeldPieces) ||
                                    (description.b == "world" && made_so_far > pieces - kHeldPieces);
@@ -127,6 +139,16 @@ Result<Done> Simulation::add_rope(const RopeDescription& description) {
         return refuse(joined.error().message);
     bodies_.ropes.push_back(std::move(rope));
     return Done{};
+}
+
+Result<physics::BodyId> Simulation::make_piece(const EntityDescription& piece, const Rope& rope) {
+    const Result<ecs::Entity> made =
+        builder_->build(piece, fmt::format("{}.{}", rope.name, rope.pieces.size()));
+    if (!made) return made.error();
+    registry.add<PartOf>(*made,
+                         PartOf{.whole = PartOf::Whole::Rope,
+                                .index = static_cast<std::uint32_t>(bodies_.ropes.size())});
+    return registry.get<BodyRef>(*made).body;
 }
 
 Vec3 Simulation::anchor_in(physics::BodyId end, const Vec3& anchor_world) const {
@@ -169,6 +191,60 @@ Result<Done> Simulation::join_rope(const RopeDescription& description,
         rope.joints.push_back(*made);
     }
     return Done{};
+}
+
+Result<Done> Simulation::tie_rope(const RopeEnds& ends) {
+    const std::size_t number = bodies_.ropes.size();
+    std::string name;
+    do {
+        name = fmt::format("rope#{}", ++names_.spawned["rope"]);
+    } while (names_.entities.contains(name + ".0"));
+    description_.forces.ropes.push_back(tied_rope(name, ends));
+    const Result<Done> made = add_rope(description_.forces.ropes.back());
+    if (!made) {
+        description_.forces.ropes.pop_back();
+        for (auto [entity, part] : registry.view<const PartOf>()) {
+            if (part.whole == PartOf::Whole::Rope && part.index == number)
+                registry.mark_for_destruction(entity);
+        }
+        return made;
+    }
+    Rope& rope = bodies_.ropes.back();
+    rope.tied = true;
+    for (const physics::BodyId piece : rope.pieces)
+        registry.add<Dropped>(entity_of(*this, piece), Dropped{});
+    return made;
+}
+
+bool Simulation::tie_again(const SavedRope& saved) {
+    const double apart_m = saved.ends.apart_m();
+    if (apart_m < RopeEnds::kShortest_m || apart_m > RopeEnds::kLongest_m) return false;
+    const RopeDescription description = tied_rope(saved.name, saved.ends);
+    const int pieces = pieces_of(description, description_.forces.fidelity.rope);
+    if (saved.pieces.size() != static_cast<std::size_t>(pieces)) return false;
+    const RopeLayout layout = lay_rope(description, pieces, Vec3d(physics.def().gravity_mps2));
+    const EntityDescription piece =
+        piece_of(description, static_cast<std::size_t>(pieces), layout.piece_m);
+    Rope rope{.name = saved.name,
+              .piece_m = layout.piece_m,
+              .ends = {},
+              .anchors_m = {},
+              .pieces = {},
+              .joints = std::vector<physics::JointId>(saved.pieces.size() + 1),
+              .tied = true};
+    for (const Made& made : saved.pieces) {
+        rope.pieces.push_back(made.body);
+        if (!made.entity) continue;  // it went
+        rope.pieces.pop_back();
+        if (!reserve(*this, {made})) return false;
+        const Result<physics::BodyId> body = make_piece(piece, rope);
+        if (!body || *body != made.body) return false;
+        registry.add<Dropped>(made.entity, Dropped{});
+        rope.pieces.push_back(*body);
+    }
+    description_.forces.ropes.push_back(description);
+    bodies_.ropes.push_back(std::move(rope));
+    return true;
 }
 
 std::vector<Vec3d> Simulation::points_of(const Rope& rope) const {

@@ -1,4 +1,4 @@
-#include "game/rules/placement.h"
+#include "game/rules/hands/placement.h"
 
 #include "engine/physics/query.h"
 

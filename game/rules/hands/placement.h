@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/physics/physics_world.h"
-#include "game/rules/aim.h"
+#include "game/rules/hands/aim.h"
 
 #include <optional>
 

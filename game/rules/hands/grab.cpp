@@ -1,4 +1,4 @@
-#include "game/rules/grab.h"
+#include "game/rules/hands/grab.h"
 
 #include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"

@@ -4,8 +4,8 @@
 #include "engine/assets/material_data.h"
 #include "engine/core/result.h"
 #include "engine/scene/simulation.h"
-#include "game/rules/aim.h"
-#include "game/rules/placement.h"
+#include "game/rules/hands/aim.h"
+#include "game/rules/hands/placement.h"
 
 #include <array>
 #include <filesystem>
@@ -66,6 +66,8 @@ public:
     /// The box round the chosen thing where it would come to lie if it were dropped now and fell straight
     /// down. None: there is no room for it, or its size is not known before the first one is made.
     std::optional<Placed> preview(const scene::Simulation& simulation, const Aim& aim) const;
+    /// A rope that was tied now: the latest one.
+    void number(scene::Simulation& simulation, const scene::Rope& rope);
     /// Takes the latest one, or all of its parts, away; false when there is none.
     bool undo(scene::Simulation& simulation);
     /// Takes the oldest away while there are too many; true when told for the first time.

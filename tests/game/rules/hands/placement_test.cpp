@@ -1,5 +1,5 @@
 // Room for what is about to appear.
-#include "game/rules/placement.h"
+#include "game/rules/hands/placement.h"
 
 #include "tests/game/rules/playground.h"
 

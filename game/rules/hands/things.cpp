@@ -1,9 +1,10 @@
-#include "game/rules/things.h"
+#include "game/rules/hands/things.h"
 
 #include "engine/physics/query.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/shape_factory.h"
 #include "engine/scene/scene_file.h"
+#include "engine/scene/simulation/entity_lookup.h"
 #include "game/components.h"
 
 #include <fmt/format.h>
@@ -254,6 +255,14 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     ++serial_;
     dress(simulation, entity, thing);
     return entity;
+}
+
+void Things::number(scene::Simulation& simulation, const scene::Rope& rope) {
+    ++serial_;
+    for (const physics::BodyId piece : rope.pieces) {
+        const ecs::Entity entity = scene::entity_of(simulation, piece);
+        simulation.registry.get<scene::Dropped>(entity).serial = serial_;
+    }
 }
 
 ecs::Entity Things::make_again(scene::Simulation& simulation,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/scene/simulation.h"
-#include "game/rules/aim.h"
+#include "game/rules/hands/aim.h"
 
 #include <optional>
 #include <string>
