@@ -83,7 +83,7 @@ def pendulums(scene, names_masses, angle_of):
     for i, (name, mass) in enumerate(names_masses):
         x = 1.2 * (i - (len(names_masses) - 1) / 2)
         scene.thing(name, "sphere = 0.15", (x, 1.0, 0), "glaze_white", f"mass_kg = {mass}\ndrag = {{ coefficient = 0.47 }}\nlinear_damping_per_s = 0.3\n")
-        scene.table("joint", name=f'"{name} bar"', kind='"distance"', a=f'"{name}"', b='"world"', anchor_a_m=vec(x, 1.0, 0), anchor_b_m=vec(x, 2.5, 0))
+        scene.table("joint", name=f'"{name} bar"', kind='"distance"', a=f'"{name}"', b='"world"', anchor_a_m=vec(x, 1.0, 0), anchor_b_m=vec(x, 2.5, 0), bar_m=0.01)
         angle = angle_of(mass)
         scene.mark(f"mark {name}", (x, 2.5 - 1.5 * math.cos(angle), 1.5 * math.sin(angle)))
     scene.fixed("beam", "box = [4.4, 0.08, 0.08]", (0, 2.55, 0), "oak")

@@ -33,14 +33,14 @@ fov_deg = 60
 [sun]
 direction = [-0.45, -0.62, -0.72]
 color = [1.0, 0.93, 0.82]
-intensity = 3.0
+intensity = 3.6
 shadow = { size_px = 2048, distance_m = 30 }
 
 [sky]
 skybox = "skies/garden"
 
 [ambient]
-color = [0.3, 0.32, 0.36]
+color = [0.5, 0.5, 0.52]
 
 [flashlight]
 
@@ -98,9 +98,9 @@ def slider(name, body, limits, grip_N, axis):
 heading("the shed: open to the front")
 entity("yard", (0, -0.02, 0), primitive="{ plane = [80, 80] }", material='"gravel"', casts_shadow="false", body=['kind = "static"', "friction = 0.8"])
 fixed("floor", (0, -0.1, 0.8), (10.4, 0.22, 5.2), "flagstone", None, "friction = 0.7")
-fixed("back_wall", (0, 1.9, -1.4), (10.4, 3.8, 0.3), "brick")
+fixed("back_wall", (0, 1.94, -1.4), (10.4, 3.88, 0.3), "brick")
 for side in (-1, 1):
-    fixed(f"side_wall_{side}", (side * 5.05, 1.9, 0), (0.3, 3.8, 2.5), "brick")
+    fixed(f"side_wall_{side}", (side * 5.05, 1.94, 0), (0.3, 3.88, 2.5), "brick")
     fixed(f"post_{side}", (side * 5.05, 1.75, 3.2), (0.16, 3.5, 0.16), "oak")
 for i, x in enumerate((-5.05, -1.7, 1.7, 5.05)):
     fixed(f"rafter_{i}", (x, 3.72, 1.0), (0.14, 0.2, 5.0), "oak")

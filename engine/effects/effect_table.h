@@ -63,6 +63,8 @@ struct EffectRow {
     ROW(fountain, Frame)            \
     ROW(impact_sounds, Sound)       \
     ROW(rolling_sounds, Sound)      \
+    ROW(plaques, Step)              \
+    ROW(joint_bars, Frame)          \
     ROW(ambient_sounds, Sound)      \
     ROW(footsteps, Sound)           \
     ROW(creak_sounds, Sound)        \
@@ -82,7 +84,8 @@ struct EffectRow {
     ROW(fracture, Step)             \
     ROW(continuous_collision, Step) \
     ROW(gyroscopic_torque, Step)    \
-    ROW(contact_events, Step)
+    ROW(contact_events, Step)       \
+    ROW(burst_sounds, Sound)
 
 #define PL_DECLARE_ROW(name, domain) EffectRow name();
 PL_EFFECTS(PL_DECLARE_ROW)

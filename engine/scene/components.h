@@ -10,6 +10,7 @@
 #include "engine/physics/body.h"
 #include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/environment/plaque.h"
 #include "engine/scene/environment/trigger_description.h"
 
 #include <cstdint>
@@ -138,6 +139,12 @@ struct TriggerVolume {
     TriggerDescription says;
     int times_left{1};
     std::vector<physics::BodyId> inside;  ///< after the latest step; sorted
+};
+
+/// It tells what is measured of another entity.
+struct Plaque {
+    PlaqueDescription says;
+    PlaqueMeter meter{};
 };
 
 /// A kinematic body that travels along its points and back for ever, resting for an instant at each.

@@ -55,7 +55,8 @@ struct HudContent {
     std::string looking_at;    ///< what is in reach, for people: "oak crate, 30 kg"; or empty
     std::string use;           ///< what the use key would do: "open"; or empty
     std::optional<GoalState> goal{};
-    std::vector<std::string> messages;  ///< newest last; the app fades them
+    std::optional<PlaqueReading> plaque{};  ///< that is looked at
+    std::vector<std::string> messages;      ///< newest last; the app fades them
 };
 
 class Game {

@@ -13,6 +13,7 @@
 #include "engine/physics/shape.h"
 #include "engine/scene/environment/field_description.h"
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/environment/plaque.h"
 #include "engine/scene/environment/trigger_description.h"
 #include "engine/scene/hard_case_description.h"
 #include "engine/scene/nature_description.h"
@@ -253,6 +254,7 @@ struct EntityDescription {
     std::optional<SoundDescription> sound{};
     std::optional<MotionDescription> motion{};
     std::optional<TriggerDescription> trigger{};
+    std::optional<PlaqueDescription> plaque{};
     SourceLocation location{};
 };
 
@@ -285,6 +287,7 @@ struct JointDescription {
     bool collide{false};
     Real break_N{0};
     float creak{0.0F};  ///< how loudly it creaks as it turns; 0: not at all
+    Real bar_m{0};      ///< radius of the bar that is drawn for it; 0: none
     SourceLocation location{};
 };
 
@@ -309,6 +312,7 @@ struct Region {
 struct GoalDescription {
     std::string text;                  ///< what is to be done, for a person
     std::vector<std::string> things;   ///< bodies; "can.*" is all that begin so
+    bool triggers{false};              ///< what triggers counted, in place of things
     std::optional<Real> below_m{};     ///< their origin is lower, or they are gone
     std::optional<Region> inside{};    ///< their origin is in it
     std::optional<Region> outside{};   ///< it is not, or they are gone

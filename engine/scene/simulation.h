@@ -3,7 +3,6 @@
 #pragma once
 
 #include "engine/assets/asset_library.h"
-#include "engine/audio/sound_cue.h"
 #include "engine/core/io/pose_archive.h"
 #include "engine/core/random.h"
 #include "engine/core/result.h"
@@ -13,6 +12,7 @@
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
 #include "engine/scene/environment/rope.h"
+#include "engine/scene/environment/step_events.h"
 #include "engine/scene/environment/vehicle.h"
 #include "engine/scene/environment/water.h"
 #include "engine/scene/scene_description.h"
@@ -91,7 +91,9 @@ struct SceneJoint {
     physics::JointId joint{};
     physics::BodyId a{};
     Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
+    Vec3 anchor_b_body{0, 0, 0};  ///< where it holds b, in b's frame; of the world, world
     float creak{0.0F};            ///< how loudly it creaks; 0: not at all
+    Real bar_m{0};                ///< radius of the bar that is drawn; 0: none
     SourceLocation location{};
 };
 
@@ -187,17 +189,12 @@ public:
     physics::PhysicsWorld physics;
     LiveSwitches switches;
     Random random;
-    std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
-    std::vector<std::string> messages;  ///< for the player, since the game took them
-    /// A push at a place that lasts no time: explosions say theirs here for what they may break.
-    struct Blow {
-        physics::BodyId body{};
-        Vec3 impulse_Ns{0, 0, 0};
-        Vec3 point_world{0, 0, 0};
-    };
+    std::vector<std::string> messages;     ///< for the player, since the game took them
     std::vector<Blow> blows;               ///< until the end of the step
+    std::vector<Burst> bursts;             ///< until the end of the step
     std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
+    int counted{0};                        ///< by triggers that count; saved
     ForceFields force_fields;              ///< of the effects there are
     std::vector<SceneWater> waters;        ///< as the description has them
     ContactListeners contact_listeners;    ///< contact events are made while there are any

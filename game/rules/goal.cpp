@@ -71,8 +71,10 @@ std::string Goal::end(scene::GoalEnd how, double at_s) {
 
 std::optional<std::string> Goal::judge(const scene::Simulation& simulation) {
     if (end_ != scene::GoalEnd::Open) return {};
-    counted_ = static_cast<int>(std::ranges::count_if(
-        things_, [&](ecs::Entity thing) { return counts(simulation, thing); }));
+    counted_ = goal_.triggers
+                   ? simulation.counted
+                   : static_cast<int>(std::ranges::count_if(
+                         things_, [&](ecs::Entity thing) { return counts(simulation, thing); }));
     const double now_s = simulation.time_s();
     if (counted_ > 0) begin(simulation);
     if (counted_ < wanted_) {

@@ -57,6 +57,9 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
         const auto made = world.create_shape(physics::SphereShape{kExplosion_m});
         if (made) explosion_ = *made;
     }
+    simulation.bursts.push_back({.kind = scene::Burst::Kind::Explosion,
+                                 .point_world = looked->point_m,
+                                 .strength = static_cast<double>(kExplosion_Nsm)});
     std::map<physics::BodyId, Vec3> reached;  // and where it is struck
     for (const physics::OverlapHit& hit :
          physics::overlaps(world, explosion_, Pose{.position = looked->point_m}, Real{0})) {

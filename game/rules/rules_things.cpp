@@ -15,6 +15,7 @@ constexpr Real kChargeTo_s = 1.0_r;
 constexpr Real kSlowestThrow_mps = 5;
 constexpr Real kFastestThrow_mps = 25;
 constexpr Real kRemoveReach_m = 12;
+constexpr Real kReadReach_m = 4;
 constexpr Real kNotch_m = 0.25_r;
 constexpr Real kPushSpeed_mps = 1.5_r;
 constexpr Real kPreview_s = 5;  // after a choice or a drop
@@ -197,6 +198,13 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
         content.looking_at =
             fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
     }
+    const auto seen = looked_at(simulation, aim(), kReadReach_m);
+    if (const auto* plaque = seen && simulation.registry.alive(seen->entity)
+                                 ? simulation.registry.find<scene::Plaque>(seen->entity)
+                                 : nullptr)
+        content.plaque = scene::PlaqueReading{.says = plaque->says,
+                                              .measured = plaque->meter.measured(),
+                                              .periods = plaque->meter.periods()};
     content.use = use_words(simulation, use_at(simulation, aim()));
     if (goal_) content.goal = goal_->state(simulation);
     content.messages = std::move(messages_);

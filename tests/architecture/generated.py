@@ -21,8 +21,10 @@ SCRIPTS = {
     "make_fairground.py": "fairground.toml",
     "make_garden.py": "garden.toml",
     "make_hard_scenes.py": None,
+    "make_museum.py": "museum.toml",
     "make_peer_scenes.py": None,
     "make_playroom.py": None,
+    "make_workshop.py": "workshop.toml",
 }
 
 

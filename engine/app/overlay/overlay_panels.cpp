@@ -1,5 +1,6 @@
 #include "engine/app/controls/key_labels.h"
 #include "engine/app/overlay/overlay_panels_impl.h"
+#include "engine/app/overlay/plaque_text.h"
 #include "engine/app/overlay/rule_text.h"
 #include "engine/app/ui/canvas_impl.h"
 
@@ -88,6 +89,18 @@ std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalStat
     return lines;
 }
 
+/// Of a step: the mean so far of the plaque's effect, or that of the latest steps of the rigid bodies.
+double cost_ms_of(const OverlayInput& input, const scene::PlaqueReading& plaque) {
+    for (const effects::LedgerLine& line : input.ledger) {
+        if (line.name == plaque.says.effect)
+            return line.cpu_ms / std::max(1.0, static_cast<double>(input.simulation.steps()));
+    }
+    const auto& steps = input.report.recent_steps();
+    double sum_ms = 0;
+    for (const float ms : steps) sum_ms += static_cast<double>(ms);
+    return steps.empty() ? 0.0 : sum_ms / static_cast<double>(steps.size());
+}
+
 }  // namespace
 
 ui::HudTexts hud_texts(const OverlayInput& input) {
@@ -97,6 +110,8 @@ ui::HudTexts hud_texts(const OverlayInput& input) {
     texts.status = status_lines(input);
     if (input.judge != nullptr) texts.verdict = verdict_lines(input);
     if (input.hud.goal) texts.verdict = goal_lines(input, *input.hud.goal);
+    if (input.hud.plaque)
+        texts.verdict = plaque_lines(*input.hud.plaque, cost_ms_of(input, *input.hud.plaque));
     if (input.hud.crosshair && !input.hud.looking_at.empty())
         texts.target = {{.text = input.hud.looking_at}};
     if (input.hud.crosshair && !input.hud.use.empty())

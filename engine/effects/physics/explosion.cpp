@@ -71,6 +71,9 @@ private:
             simulation.physics.apply_impulse(body, strike.impulse_Ns, strike.point_world);
             simulation.blows.push_back({body, strike.impulse_Ns, strike.point_world});
         }
+        simulation.bursts.push_back({.kind = scene::Burst::Kind::Explosion,
+                                     .point_world = charge.position_m,
+                                     .strength = static_cast<double>(charge.impulse_Ns)});
         work_.calls += targets.size();
     }
 

@@ -115,7 +115,7 @@ private:
                                                const Pose& at) {
         const double lasts_s = impact_s(whole);
         std::vector<BodyLoad> loads = physics::loads_on(simulation.physics, body, lasts_s);
-        for (const scene::Simulation::Blow& blow : simulation.blows) {
+        for (const scene::Blow& blow : simulation.blows) {
             if (blow.body == body)
                 loads.push_back({.point_m = Vec3d(blow.point_world),
                                  .force_N = Vec3d(blow.impulse_Ns) / lasts_s});

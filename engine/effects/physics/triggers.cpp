@@ -45,7 +45,9 @@ public:
             // A copy: what is made may move the component.
             const scene::TriggerDescription says =
                 simulation.registry.get<TriggerVolume>(event.volume).says;
-            act(simulation, says, event.body);
+            const Vec3 at =
+                simulation.registry.get<scene::Transform>(event.volume).world_from_body.position;
+            act(simulation, says, event.body, at);
             ++work_.calls;
         }
     }
@@ -166,7 +168,12 @@ private:
 
     static void act(scene::Simulation& simulation,
                     const scene::TriggerDescription& says,
-                    BodyId body) {
+                    BodyId body,
+                    const Vec3& at) {
+        if (says.count) ++simulation.counted;
+        if (!says.sound.empty())
+            simulation.bursts.push_back(
+                {.kind = scene::Burst::Kind::Trigger, .point_world = at, .sound = says.sound});
         if (!says.spawn.empty()) {
             scene::EntityDescription made = simulation.description().prefabs.at(says.spawn);
             made.world_from_body.position = says.at_m;

@@ -361,6 +361,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
     if (description.body && description.body->fracture)
         simulation_.add_whole(description, name, entity);
     if (description.trigger) add_trigger(description, entity);
+    if (description.plaque)
+        simulation_.registry.add<Plaque>(entity, Plaque{.says = *description.plaque});
     if (simulation_.library().moving(appearance.model) != nullptr) {
         registry.add<PlayingModel>(entity, PlayingModel{.model = appearance.model});
     }

@@ -3,6 +3,7 @@
 
 #include "engine/core/math.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct TriggerDescription {
     std::string explode;                 ///< name of the [[explosion]] that goes off
     std::string light;                   ///< entity whose light is switched on or off
     std::string message;                 ///< said to the player
+    std::filesystem::path sound;         ///< heard there; empty: none
+    bool count{false};                   ///< it counts towards the [goal]
 };
 
 }  // namespace plumbline::scene

@@ -166,6 +166,7 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_groups(kinds, context);
     check_mass_ratio(kinds, context);
     check_triggers(scene, context);
+    check_plaques(scene, context);
     if (scene.player) check_ground(kinds, context);
 }
 

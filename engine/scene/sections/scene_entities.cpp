@@ -26,7 +26,7 @@ void read_visual(TableReader& table, EntityDescription& entity, const LoadContex
 }
 
 void read_sound(TableReader& table, SoundDescription& sound, const LoadContext& context) {
-    sound.file = read_sound_file(table, context);
+    sound.file = read_sound_file(table, "file", context);
     table.read("loop", sound.loop);
     table.read("gain", sound.gain, kGain);
     table.read("radius_m", sound.radius_m, kSize_m);
@@ -72,8 +72,17 @@ void read_trigger(TableReader& table, TriggerDescription& trigger, const LoadCon
     table.read("explode", trigger.explode);
     table.read("light", trigger.light);
     table.read("message", trigger.message);
-    constexpr std::array kActions{
-        "spawn", "remove", "impulse_Ns", "gravity_mps2", "explode", "light", "message"};
+    if (table.has("sound")) trigger.sound = read_sound_file(table, "sound", context);
+    table.read("count", trigger.count);
+    constexpr std::array kActions{"spawn",
+                                  "remove",
+                                  "impulse_Ns",
+                                  "gravity_mps2",
+                                  "explode",
+                                  "light",
+                                  "message",
+                                  "sound",
+                                  "count"};
     if (std::ranges::none_of(kActions, [&table](const char* key) { return table.has(key); }))
         table.faults().error(table.location(),
                              table.path(),
@@ -193,6 +202,7 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     table.read_table("body", entity.body, read_body, entity.visual, use);
     table.read_table("trigger", entity.trigger, read_trigger, context);
     check_trigger(table, entity);
+    table.read_table("plaque", entity.plaque, read_plaque);
     if (!entity.contact_material.empty() && !entity.body && use == EntityUse::Entity)
         table.error("contact_material", "nothing touches an entity without a body");
     check_scaled_size(table, entity);

@@ -68,14 +68,20 @@ void read_whole_goal(TableReader& table,
     table.read("text", goal.text);
     if (goal.text.empty() || goal.text.size() > kTextBytes)
         table.error("text", "expected 1 to {} letters: what is to be done", kTextBytes);
-    read_things(table, goal, scene, context);
+    table.read("triggers", goal.triggers);
+    if (goal.triggers) {
+        table.read("count", goal.count, 1, 50'000);
+        table.require("count", "how often triggers that count must have been come into");
+    } else {
+        read_things(table, goal, scene, context);
+    }
     table.read("below_m", goal.below_m, kCoordinate_m);
     table.read_table("inside", goal.inside, read_region);
     table.read_table("outside", goal.outside, read_region);
     if (int{goal.below_m.has_value()} + int{goal.inside.has_value()} +
-            int{goal.outside.has_value()} !=
+            int{goal.outside.has_value()} + int{goal.triggers} !=
         1)
-        table.error("below_m", "expected one of below_m, inside and outside");
+        table.error("below_m", "expected one of below_m, inside, outside and triggers");
     table.read("within_s", goal.within_s, {1, 36'000, "seconds from 1 to 36000"});
     table.read("throws", goal.throws, 1, 10'000);
     table.read("with", goal.with);

@@ -127,6 +127,7 @@ void read_drive(TableReader& table, JointDescription& joint) {
     table.read("collide", joint.collide);
     table.read("break_N", joint.break_N, kForce);
     table.read("creak", joint.creak, {0, 10, "a factor from 0 to 10"});
+    table.read("bar_m", joint.bar_m, {0, 10, "a radius from 0 to 10 m"});
 }
 
 /// Keys that the kind has no use for: said, not refused.

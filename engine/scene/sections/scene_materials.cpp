@@ -60,10 +60,11 @@ std::optional<Reference> read_file_reference(TableReader& table,
     return *reference;
 }
 
-std::filesystem::path read_sound_file(TableReader& sound, const LoadContext& context) {
-    sound.require("file", "a sound file");
-    const auto file =
-        read_file_reference(sound, "file", kSoundExtensions, "it stays silent", context);
+std::filesystem::path read_sound_file(TableReader& table,
+                                      const char* key,
+                                      const LoadContext& context) {
+    table.require(key, "a sound file");
+    const auto file = read_file_reference(table, key, kSoundExtensions, "it stays silent", context);
     return file && file->exists ? file->file : std::filesystem::path{};
 }
 

@@ -84,5 +84,7 @@ void name_each(TableReader& root,
 
 /// Every name that two things share is an error that gives both places; "world" is taken too.
 void check_names(const SceneDescription& scene, LoadContext& context);
+/// What plaques measure.
+void check_plaques(const SceneDescription& scene, LoadContext& context);
 
 }  // namespace plumbline::scene

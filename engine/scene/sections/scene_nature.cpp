@@ -46,7 +46,7 @@ void read_wind(TableReader& table, WindDescription& wind, const LoadContext& con
     table.read("gust_size_m", wind.gust_size_m, {0.5, 1000, "a length from 0.5 to 1000 m"});
     table.read("shelter", wind.shelter);
     if (auto sound = table.table("sound")) {
-        wind.sound = read_sound_file(*sound, context);
+        wind.sound = read_sound_file(*sound, "file", context);
         sound->read("gain", wind.sound_gain, kGain);
         sound->finish();
     }

@@ -71,7 +71,9 @@ std::optional<Reference> read_file_reference(TableReader& table,
                                              std::string_view instead,
                                              const LoadContext& context);
 /// The key `file` of a table `sound`, which needs one; empty where there is no such file.
-std::filesystem::path read_sound_file(TableReader& sound, const LoadContext& context);
+std::filesystem::path read_sound_file(TableReader& table,
+                                      const char* key,
+                                      const LoadContext& context);
 
 // --- scene_sections.cpp: [scene] … [effects.*] but for the entities
 void read_sections(TableReader& root, SceneDescription& scene, LoadContext& context);
@@ -79,6 +81,9 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
 // --- scene_lights.cpp
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
 void read_light(TableReader& table, LightDescription& light);
+void read_plaque(TableReader& table, PlaqueDescription& plaque);
+/// Of one line; faults say what is wrong with another.
+std::string read_short_text(TableReader& table, const char* key);
 
 // --- scene_screen_effects.cpp
 void read_occlusion(TableReader& table, OcclusionDescription& occlusion);

@@ -125,6 +125,7 @@ void Simulation::set_accuracy(const physics::WorldDef& def) {
 
 void Simulation::destroy_marked() {
     blows.clear();
+    bursts.clear();
     registry.destroy_marked();
     forget_destroyed();
 }

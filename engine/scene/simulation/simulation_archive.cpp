@@ -39,6 +39,9 @@ void serialize_fields(Archive& archive, PointLight& light) {
 void serialize_fields(Archive& archive, TriggerVolume& volume) {
     archive(volume.times_left, volume.inside);
 }
+void serialize_fields(Archive& archive, Plaque& plaque) {
+    archive(plaque.meter);
+}
 void serialize_fields(Archive& archive, PartOf& part) {
     archive(part.stopped);
 }
@@ -236,6 +239,7 @@ void SimulationArchive::serialize_components() {
                      AmbientSound,
                      ContactAppearance,
                      TriggerVolume,
+                     Plaque,
                      MotionPath,
                      PartOf,
                      Fragile,
@@ -247,6 +251,7 @@ void SimulationArchive::serialize_components() {
                      PlayingModel,
                      PointLight,
                      TriggerVolume,
+                     Plaque,
                      PartOf,
                      Fragile,
                      Dropped>(archive_, simulation_.registry);
@@ -276,7 +281,7 @@ void SimulationArchive::serialize_joints() {
     const std::size_t count = archive_.count(simulation_.bodies_.joints.size());
     if (!archive_.expect(count == simulation_.bodies_.joints.size(), kOtherThings)) return;
     for (SceneJoint& joint : simulation_.bodies_.joints)
-        archive_(joint.joint, joint.a, joint.anchor_a_body);
+        archive_(joint.joint, joint.a, joint.anchor_a_body, joint.anchor_b_body);
     for (Rope& rope : simulation_.bodies_.ropes) {
         archive_(rope.ends[0], rope.ends[1], rope.anchors_m[0], rope.anchors_m[1]);
         for (physics::JointId& joint : rope.joints) archive_(joint);
@@ -360,6 +365,7 @@ void SimulationArchive::serialize_state() {
              simulation_.mass_ratio_.named,
              simulation_.added_energy_J,
              simulation_.charges_lit,
+             simulation_.counted,
              simulation_.names_.spawned,
              simulation_.random,
              simulation_.switches,

@@ -158,6 +158,10 @@ void Simulation::break_up(ecs::Entity entity,
     if (made.empty()) return;
     move_as(physics, body, bodies);
     if (!whole.broke_at_s) whole.broke_at_s = time_s();
+    bursts.push_back({.kind = Burst::Kind::Break,
+                      .point_world = state.world_from_body.position,
+                      .strength = static_cast<double>(state.mass.mass_kg),
+                      .surface = whole.surface});
     hand_over(body, made);
     registry.mark_for_destruction(entity);
 }
@@ -181,7 +185,14 @@ void Simulation::hand_over(physics::BodyId body, std::span<const ecs::Entity> pa
         return transform_point(invert(physics.state(next).world_from_body),
                                transform_point(was, anchor_m));
     };
+    std::vector<SceneJoint*> by_b;
+    for (SceneJoint& joint : bodies_.joints) {
+        if (physics.contains(joint.joint) && physics.joint(joint.joint).def.b == body)
+            by_b.push_back(&joint);
+    }
     physics::hand_over_joints(physics, body, part_at);
+    for (SceneJoint* joint : by_b)
+        joint->anchor_b_body = moved_to(physics.joint(joint->joint).def.b, joint->anchor_b_body);
     for (SceneJoint& joint : bodies_.joints) {
         if (!physics.contains(joint.joint)) continue;
         const physics::BodyId a = physics.joint(joint.joint).def.a;

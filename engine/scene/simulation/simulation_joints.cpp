@@ -51,14 +51,14 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
                               .break_N = description.break_N,
                               .user = bodies_.joints.size()});
     if (!made) return refuse(made.error().message);
-    const Pose body_from_world = invert(physics.state(*a).world_from_body);
-    bodies_.joints.push_back(
-        {.name = description.name,
-         .joint = *made,
-         .a = *a,
-         .anchor_a_body = transform_point(body_from_world, description.anchor_a_m),
-         .creak = description.creak,
-         .location = description.location});
+    bodies_.joints.push_back({.name = description.name,
+                              .joint = *made,
+                              .a = *a,
+                              .anchor_a_body = anchor_in(*a, description.anchor_a_m),
+                              .anchor_b_body = anchor_in(*b, description.anchor_b_m),
+                              .creak = description.creak,
+                              .bar_m = description.bar_m,
+                              .location = description.location});
     return Done{};
 }
 

@@ -147,6 +147,8 @@ std::string Tying::press(scene::Simulation& simulation, const Aim& aim) {
     if (!begun_) {
         if (const auto rope = rope_at(simulation, aim)) {
             physics::cut_joint(simulation.physics, rope->joint);
+            simulation.bursts.push_back(
+                {.kind = scene::Burst::Kind::Snap, .point_world = rope->point_m});
             return "rope cut";
         }
     }

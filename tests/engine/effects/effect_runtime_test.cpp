@@ -60,6 +60,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "fountain",
                                                  "impact_sounds",
                                                  "rolling_sounds",
+                                                 "plaques",
+                                                 "joint_bars",
                                                  "ambient_sounds",
                                                  "footsteps",
                                                  "creak_sounds",
@@ -79,7 +81,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "fracture",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
-                                                 "contact_events"};
+                                                 "contact_events",
+                                                 "burst_sounds"};
     EXPECT_EQ(names, expected);
 }
 

@@ -48,6 +48,21 @@ void throw_at(Playground& play, const Vec3& target_m) {
     play.step();
 }
 
+TEST(Goal, OfTriggersIsWonWhenTheyCountedEnough) {
+    scene::SceneDescription scene = shelf();
+    scene.goal = scene::GoalDescription{.text = "Ring it", .triggers = true, .count = 2};
+    Playground play(scene);
+    play.run(1);
+    EXPECT_EQ(state(play).counted, 0);
+    play.simulation->counted = 1;
+    play.run(1);
+    EXPECT_EQ(state(play).counted, 1);
+    EXPECT_EQ(state(play).end, GoalEnd::Open);
+    play.simulation->counted = 2;
+    play.run(1);
+    EXPECT_EQ(state(play).end, GoalEnd::Won);
+}
+
 TEST(Goal, WaitsForTheFirstThrow) {
     Playground play(shelf());
     play.run(30);

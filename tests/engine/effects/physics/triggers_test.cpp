@@ -53,6 +53,27 @@ TEST(Triggers, CountsEachTimeABodyComesInAsOftenAsItMay) {
     }
 }
 
+TEST(Triggers, CountTowardsTheGoalAndAreHeardWhereTheyAre) {
+    scene::SceneDescription scene = with_trigger(2);
+    scene.entities[2].trigger->spawn.clear();
+    scene.entities[2].trigger->count = true;
+    scene.entities[2].trigger->sound =
+        std::filesystem::path(PL_SOURCE_DIR) / "assets/sounds/impact_chime_0.ogg";
+    test::Running run(scene);
+    EffectRuntime effects(*run, {.frame = false, .sound = true});
+    std::vector<audio::SoundCue> cues;
+    for (int visit = 1; visit <= 3; ++visit) {
+        run->physics.set_pose(run.body("red_box"), {.position = {0, 1.9_r, 0}});
+        run.step(2, effects);
+        EXPECT_EQ(run->counted, std::min(visit, 2));
+        run->physics.set_pose(run.body("red_box"), {.position = {0, 30, 0}});
+        run.step(2, effects);
+        for (const audio::SoundCue& cue : effects.sound(*run, {}).cues) cues.push_back(cue);
+    }
+    ASSERT_EQ(cues.size(), 2U);
+    EXPECT_EQ(cues[0].position_world, (Vec3f{0, 1.5F, 0}));
+}
+
 TEST(Triggers, OthersThanThoseItNamesDoNotCount) {
     scene::SceneDescription scene = with_trigger(1);
     scene.entities[1].name = "blue_box";

@@ -25,6 +25,16 @@ primitive = { box = [1, 1, 1] }
 [goal]
 )";
 
+TEST_F(SceneFileTest, AGoalOfTriggersHasACountAndNoThings) {
+    const Outcome outcome = load("[goal]\ntext = \"Ring it\"\ntriggers = true\ncount = 3\n");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    EXPECT_TRUE(outcome.scene->goal->triggers);
+    EXPECT_EQ(outcome.scene->goal->count, 3);
+    EXPECT_FALSE(load("[goal]\ntext = \"Ring it\"\ntriggers = true\n").scene.ok());
+    EXPECT_FALSE(
+        load("[goal]\ntext = \"Ring it\"\ntriggers = true\ncount = 1\nbelow_m = 1\n").scene.ok());
+}
+
 TEST_F(SceneFileTest, AGoalIsRead) {
     const Outcome outcome = load(fmt::format("{}{}", kCans, R"(text = "Knock them off"
 things = ["can.*"]
@@ -65,7 +75,8 @@ TEST_F(SceneFileTest, FaultsOfAGoalAreNamed) {
     EXPECT_EQ(faults("text = \"x\"\nthings = [\"can.*\"]\nbelow_m = 1\ncount = 8\n"),
               "scene.toml:23:9: error: goal.count: 8 of 7 things; expected no more than there are");
     EXPECT_EQ(faults("text = \"x\"\nthings = [\"can.*\"]\n"),
-              "scene.toml:19:1: error: goal.below_m: expected one of below_m, inside and outside");
+              "scene.toml:19:1: error: goal.below_m: expected one of below_m, inside, outside and "
+              "triggers");
     EXPECT_EQ(faults("text = \"x\"\nthings = [\"can.*\"]\ninside = { min_m = [0, 0, 0], max_m = "
                      "[1, -1, 1] }\n"),
               "scene.toml:22:39: error: goal.inside.max_m: is less than min_m; expected the corner "
