@@ -119,7 +119,7 @@ void PlaygroundGame::forget_gone(scene::Simulation& simulation) {
     doors_.forget_gone(simulation);
     driver_.forget_gone(simulation);
     tying_.forget_gone(simulation);
-    if (!simulation.physics.contains(lifted_)) lifted_ = {};
+    if (!simulation.physics.contains(keys_.lifted)) keys_.lifted = {};
 }
 
 void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) {

@@ -126,7 +126,8 @@ private:
         Real throw_s{-1};  ///< how long throw is down; negative: it is not
         bool grabbed{false};
         bool look_turns_held{false};
-        void serialize(Archive& archive) { archive(throw_s, grabbed, look_turns_held); }
+        physics::BodyId lifted{};  ///< what the lift key took; null: nothing
+        void serialize(Archive& archive) { archive(throw_s, grabbed, look_turns_held, lifted); }
     };
     struct Dropping {
         KeyRepeat repeat{6};
@@ -157,7 +158,6 @@ private:
     Tying tying_;
     Doors doors_;
     Driver driver_;
-    physics::BodyId lifted_{};
     physics::ShapeId explosion_{};  ///< the ball it reaches; none before the first
     std::optional<Goal> goal_;
     std::optional<std::array<float, 2>> pointer_;  ///< as the latest step was told

@@ -29,7 +29,7 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
     driver_.forget_gone(simulation);
     tying_.forget_gone(simulation);
     if (goal_) archive(*goal_);
-    archive(fov_, dropping_, keys_, pointer_, lifted_, viewed_.is_dragged);
+    archive(fov_, dropping_, keys_, pointer_, viewed_.is_dragged);
 }
 
 }  // namespace plumbline::game

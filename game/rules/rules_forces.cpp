@@ -36,16 +36,16 @@ void PlaygroundGame::lift(scene::Simulation& simulation, const Actions& actions)
     const physics::PhysicsWorld& world = simulation.physics;
     if (actions.presses(Action::Lift) > 0) {
         const auto looked = looked_at(simulation, aim(), kArm_m);
-        lifted_ = looked ? looked->body : physics::BodyId{};
+        keys_.lifted = looked ? looked->body : physics::BodyId{};
         const auto first = std::ranges::find_if(
             simulation.moving_bodies(),
             [&](const scene::MovingBody& moving) { return is_loose(world, moving.body); });
-        if (!is_loose(world, lifted_) && pointer_ && first != simulation.moving_bodies().end())
-            lifted_ = first->body;
-        if (!is_loose(world, lifted_)) say("nothing to lift");
+        if (!is_loose(world, keys_.lifted) && pointer_ && first != simulation.moving_bodies().end())
+            keys_.lifted = first->body;
+        if (!is_loose(world, keys_.lifted)) say("nothing to lift");
     }
-    if (actions.is_held(Action::Lift) && is_loose(world, lifted_))
-        simulation.physics.apply_force(lifted_, {0, kLift_N, 0});
+    if (actions.is_held(Action::Lift) && is_loose(world, keys_.lifted))
+        simulation.physics.apply_force(keys_.lifted, {0, kLift_N, 0});
 }
 
 void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actions) {

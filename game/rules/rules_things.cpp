@@ -16,6 +16,7 @@ constexpr Real kSlowestThrow_mps = 5;
 constexpr Real kFastestThrow_mps = 25;
 constexpr Real kRemoveReach_m = 12;
 constexpr Real kReadReach_m = 4;
+constexpr Real kReadCosine = 0.94_r;  // of 20 degrees off the middle of the view
 constexpr Real kNotch_m = 0.25_r;
 constexpr Real kPushSpeed_mps = 1.5_r;
 constexpr Real kPreview_s = 5;  // after a choice or a drop
@@ -34,6 +35,24 @@ std::string words_of(const scene::Name& name) {
     std::ranges::replace(words, '_', ' ');
     while (!words.empty() && words.back() == ' ') words.pop_back();
     return words;
+}
+
+/// The plaque nearest to the middle of the view, of those that can be read from there.
+std::optional<scene::PlaqueReading> plaque_before(const scene::Simulation& simulation,
+                                                  const Aim& aim) {
+    std::optional<scene::PlaqueReading> read;
+    Real best = kReadCosine;
+    for (auto [entity, plaque, transform] :
+         simulation.registry.view<const scene::Plaque, const scene::Transform>()) {
+        const Vec3 way = transform.world_from_body.position - aim.eye_m;
+        const Real away_m = glm::length(way);
+        if (away_m > kReadReach_m || glm::dot(way, aim.forward) < best * away_m) continue;
+        best = glm::dot(way, aim.forward) / away_m;
+        read = {.says = plaque.says,
+                .measured = plaque.meter.measured(),
+                .periods = plaque.meter.periods()};
+    }
+    return read;
 }
 
 }  // namespace
@@ -198,13 +217,7 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
         content.looking_at =
             fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
     }
-    const auto seen = looked_at(simulation, aim(), kReadReach_m);
-    if (const auto* plaque = seen && simulation.registry.alive(seen->entity)
-                                 ? simulation.registry.find<scene::Plaque>(seen->entity)
-                                 : nullptr)
-        content.plaque = scene::PlaqueReading{.says = plaque->says,
-                                              .measured = plaque->meter.measured(),
-                                              .periods = plaque->meter.periods()};
+    content.plaque = plaque_before(simulation, aim());
     content.use = use_words(simulation, use_at(simulation, aim()));
     if (goal_) content.goal = goal_->state(simulation);
     content.messages = std::move(messages_);

@@ -5,8 +5,6 @@
 #include "engine/scene/extract.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
-#include <glm/gtx/quaternion.hpp>
-
 namespace plumbline::effects {
 namespace {
 
@@ -55,8 +53,11 @@ private:
         const Real length_m = glm::distance(from, to);
         if (length_m < kShortest_m) return;
         const Vec3 along = (to - from) / length_m;
-        const Pose pose{.position = (from + to) * 0.5_r,
-                        .orientation = glm::rotation(Vec3{0, 1, 0}, along)};
+        const Vec3 aside = std::abs(along.x) < 0.5_r ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+        const Vec3 across = glm::normalize(glm::cross(aside, along));
+        const Pose pose{
+            .position = (from + to) * 0.5_r,
+            .orientation = glm::quat_cast(Mat3(across, along, glm::cross(across, along)))};
         render::add_item(
             frame,
             {.mesh = mesh_, .world_from_body = matrix_of(pose, {radius_m, length_m, radius_m})},

@@ -16,6 +16,8 @@ constexpr Real kFastest_mps = 10;
 constexpr Real kFastest_per_m = 4;  // by a pointer: m/s for each metre that it is away
 constexpr Real kFastest_radps = 12;
 constexpr Real kMostTorque_Nm = 120;
+constexpr Real kHandleGain = 2;  // what is loaded is heavier than it says
+constexpr Real kLevelStiffness_radps = 60;
 constexpr Real kLost_m = 1.5_r;       // farther from where it should be: the hand opens …
 constexpr Real kLostAfter_s = 0.4_r;  // … after this long
 
@@ -34,6 +36,14 @@ Vec3 damped(const Vec3& velocity,
 Vec3 shortened(const Vec3& v, Real most) {
     const Real length = glm::length(v);
     return length > most ? v * (most / length) : v;
+}
+
+/// A wheel turns about the axis of its largest moment.
+Vec3 axle_of(const Vec3& moments_kgm2) {
+    Vec3 axle{1, 0, 0};
+    if (moments_kgm2.y > std::max(moments_kgm2.x, moments_kgm2.z)) axle = {0, 1, 0};
+    if (moments_kgm2.z > std::max(moments_kgm2.x, moments_kgm2.y)) axle = {0, 0, 1};
+    return axle;
 }
 
 /// Axis times angle of a rotation, the short way round.
@@ -57,6 +67,37 @@ std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& 
                   .body = hit->body,
                   .point_m = hit->point_world,
                   .distance_m = hit->distance_m};
+}
+
+std::optional<Grab::Handle> Grab::handle_of(const scene::Simulation& simulation,
+                                            const Looked& looked) {
+    const Pose body_from_world = invert(simulation.physics.state(looked.body).world_from_body);
+    Handle handle{.point_body = transform_point(body_from_world, looked.point_m)};
+    int wheels = 0;
+    for (const scene::SceneJoint& joint : simulation.joints()) {
+        if (!simulation.physics.contains(joint.joint)) continue;
+        const physics::JointView hinge = simulation.physics.joint(joint.joint);
+        const physics::JointDef& def = hinge.def;
+        const bool is_a = def.a == looked.body;
+        const physics::BodyId wheel = is_a ? def.b : def.a;
+        if (def.kind != physics::JointKind::Hinge || hinge.state.broken || def.limits || !wheel ||
+            (!is_a && def.b != looked.body) ||
+            simulation.physics.state(wheel).kind != physics::BodyKind::Dynamic)
+            continue;
+        ++wheels;
+        // Both hands: on the plane in which the wheel rolls.
+        const physics::BodyState turning = simulation.physics.state(wheel);
+        const Vec3 axle_body =
+            glm::normalize(body_from_world.orientation * turning.world_from_body.orientation *
+                           axle_of(turning.mass.inertia_kgm2));
+        const Vec3 hub_body = transform_point(body_from_world, turning.center_of_mass_world());
+        handle.axle_body = axle_body;
+        handle.point_body -= axle_body * glm::dot(handle.point_body - hub_body, axle_body);
+    }
+    for (const scene::Vehicle& vehicle : simulation.vehicles())
+        wheels += vehicle.chassis == looked.body ? 2 : 0;
+    if (wheels > 1) handle.axle_body = {0, 0, 0};
+    return wheels > 0 ? std::optional(handle) : std::nullopt;
 }
 
 std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& aim) {
@@ -83,6 +124,12 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
     middle_from_point_ =
         by_pointer_ ? glm::conjugate(view) * (looked->point_m - middle) : Vec3{0, 0, 0};
     view_from_body_ = glm::conjugate(view) * world.state(body_).world_from_body.orientation;
+    handle_ = handle_of(simulation, *looked);
+    if (handle_) {
+        distance_m_ = std::max(looked->distance_m, kNearest_m);
+        radius_m_ = 0;
+        middle_from_point_ = {0, 0, 0};
+    }
     last_target_.reset();
     stuck_s_ = 0;
     simulation.registry.add<Held>(entity_, state.mass.mass_kg);
@@ -140,13 +187,20 @@ void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
     if (world.state(body_).frozen) return release(simulation);
     const Vec3 target = target_of(simulation, aim);
     const Real dt = static_cast<Real>(simulation.step_s());
-    const bool lost =
-        !by_pointer_ && glm::length(target - world.state(body_).center_of_mass_world()) > kLost_m;
+    const physics::BodyState state = world.state(body_);
+    const Vec3 held = handle_ ? transform_point(state.world_from_body, handle_->point_body)
+                              : state.center_of_mass_world();
+    const bool lost = !by_pointer_ && glm::length(target - held) > kLost_m;
     stuck_s_ = lost ? stuck_s_ + dt : Real{0};
     if (stuck_s_ > kLostAfter_s) return release(simulation);
     world.wake(body_);
-    pull_straight(simulation, aim, target);
-    pull_round(simulation, aim);
+    if (handle_) {
+        pull_handle(simulation, target);
+        keep_level(simulation, aim);
+    } else {
+        pull_straight(simulation, aim, target);
+        pull_round(simulation, aim);
+    }
     last_target_ = target;
 }
 
@@ -171,6 +225,51 @@ void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Ve
     world.apply_force(body_, force);
 }
 
+void Grab::pull_handle(scene::Simulation& simulation, const Vec3& target) {
+    physics::PhysicsWorld& world = simulation.physics;
+    const Real dt = static_cast<Real>(simulation.step_s());
+    const physics::BodyState state = world.state(body_);
+    const Vec3 point = transform_point(state.world_from_body, handle_->point_body);
+    const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps,
+                                                          point - state.world_from_body.position);
+    const Vec3 target_velocity =
+        last_target_ ? shortened((target - *last_target_) / dt, kFastest_mps) : Vec3{0, 0, 0};
+    const Vec3 next = shortened(
+        damped(velocity, target - point, target_velocity, kStiffness_radps, dt), kFastest_mps);
+    const Vec3 change = next - velocity;
+    // As heavy as it is at that point, along that way.
+    const Vec3 way = normalize_or(change, Vec3{0, 1, 0});
+    const Vec3 lever = glm::conjugate(state.world_from_body.orientation) *
+                       glm::cross(point - state.center_of_mass_world(), way);
+    const Real felt_kg = 1 / (1 / mass_kg_ + glm::dot(lever, lever / state.mass.inertia_kgm2));
+    const Vec3 force = change * (kHandleGain * felt_kg / dt);
+    world.apply_force(body_, shortened(force, kMostForce_N), point);
+}
+
+/// Two hands keep the axle level, and across the view as it was when they took hold; it tilts as it likes.
+void Grab::keep_level(scene::Simulation& simulation, const Aim& aim) {
+    if (handle_->axle_body == Vec3{0, 0, 0}) return;
+    physics::PhysicsWorld& world = simulation.physics;
+    const Real dt = static_cast<Real>(simulation.step_s());
+    const physics::BodyState state = world.state(body_);
+    const Quat& now = state.world_from_body.orientation;
+    const Vec3 axle = now * handle_->axle_body;
+    const Vec3 across =
+        portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0}) * (view_from_body_ * handle_->axle_body);
+    const Vec3 wanted = normalize_or(Vec3{across.x, 0, across.z}, axle);
+    const Vec3 off = glm::cross(axle, wanted);
+    const Vec3 ahead = normalize_or(glm::cross(Vec3{0, 1, 0}, wanted), Vec3{0, 0, 0});
+    const auto torque_about = [&](const Vec3& way, Real stiffness_radps, Real gain) {
+        const Real spin = glm::dot(state.angular_velocity_radps, way);
+        const Vec3 next =
+            damped(way * spin, way * glm::dot(off, way), Vec3{0, 0, 0}, stiffness_radps, dt);
+        const Vec3 change = glm::conjugate(now) * ((next - way * spin) * (gain / dt));
+        return shortened(now * (state.mass.inertia_kgm2 * change), kMostTorque_Nm);
+    };
+    world.apply_torque(body_, torque_about(ahead, kLevelStiffness_radps, kHandleGain));
+    world.apply_torque(body_, torque_about(Vec3{0, 1, 0}, kLevelStiffness_radps, kHandleGain));
+}
+
 void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {
     physics::PhysicsWorld& world = simulation.physics;
     const Real dt = static_cast<Real>(simulation.step_s());
@@ -193,6 +292,7 @@ void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
             distance_m_,
             middle_from_point_,
             by_pointer_,
+            handle_,
             view_from_body_,
             last_target_,
             stuck_s_);

@@ -10,6 +10,13 @@
 
 namespace plumbline::game {
 
+struct Looked {
+    ecs::Entity entity{};
+    physics::BodyId body{};
+    Vec3 point_m{0, 0, 0};
+    Real distance_m{0};
+};
+
 class Grab {
 public:
     static constexpr Real kReach_m = 3;
@@ -39,16 +46,27 @@ public:
     void serialize(Archive& archive, scene::Simulation& simulation);
 
 private:
+    /// What rolls on wheels is pushed and pulled by the place where it was taken.
+    struct Handle {
+        Vec3 point_body{0, 0, 0};
+        Vec3 axle_body{0, 0, 0};  ///< unit; zero: on several wheels, it stands by itself
+        void serialize(auto& archive) { archive(point_body, axle_body); }
+    };
+    static std::optional<Handle> handle_of(const scene::Simulation& simulation,
+                                           const Looked& looked);
     Vec3 target_of(const scene::Simulation& simulation, const Aim& aim) const;
     void pull_straight(scene::Simulation& simulation, const Aim& aim, const Vec3& target);
     void pull_round(scene::Simulation& simulation, const Aim& aim);
+    void pull_handle(scene::Simulation& simulation, const Vec3& target);
+    void keep_level(scene::Simulation& simulation, const Aim& aim);
 
     ecs::Entity entity_{};
     physics::BodyId body_{};
     Real mass_kg_{0};
     Real radius_m_{0};
     Real distance_m_{2};
-    Vec3 middle_from_point_{0, 0, 0};   ///< where it is held, seen from its middle; view's yaw
+    Vec3 middle_from_point_{0, 0, 0};  ///< where it is held, seen from its middle; view's yaw
+    std::optional<Handle> handle_{};
     bool by_pointer_{false};            ///< it follows as fast as a pointer goes
     Quat view_from_body_{kNoRotation};  ///< turn against the view's yaw
     std::optional<Vec3> last_target_{};
@@ -57,12 +75,6 @@ private:
 
 /// The entity with a body that is looked at within an arm's length, or anywhere by a free pointer, if
 /// any; its body and distance.
-struct Looked {
-    ecs::Entity entity{};
-    physics::BodyId body{};
-    Vec3 point_m{0, 0, 0};
-    Real distance_m{0};
-};
 std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m);
 
 }  // namespace plumbline::game

@@ -43,5 +43,24 @@ TEST(RulesThings, UndoTakesAwayAllPartsOfWhatBroke) {
     EXPECT_EQ(play.thing_count(), 0U);
 }
 
+TEST(Plaques, TheOneNearestToTheMiddleOfTheViewIsRead) {
+    scene::SceneDescription scene = meadow();
+    for (const auto& [name, x_m] : {std::pair{"left", -1.0_r}, {"ahead", 0.2_r}, {"far", 0.0_r}}) {
+        scene.entities.push_back(
+            block(name, {0.1_r, 0.1_r, 0.1_r}, {x_m, 1.6_r, std::string(name) == "far" ? -9 : -3}));
+        scene.entities.back().plaque = scene::PlaqueDescription{.title = name};
+    }
+    Playground play(scene);
+    const auto title = [&] {
+        const auto plaque = play.game->hud(*play.simulation).plaque;
+        return plaque ? plaque->says.title : std::string();
+    };
+    EXPECT_EQ(title(), "ahead");
+    play.step(look(0.5F, 0));
+    EXPECT_EQ(title(), "left") << "turned left";
+    play.step(look(1.5F, 0));
+    EXPECT_EQ(title(), "");
+}
+
 }  // namespace
 }  // namespace plumbline::game

@@ -154,5 +154,71 @@ TEST(Grab, FreezesAndFreesWhatIsHeldOrLookedAt) {
     EXPECT_LT(place(play).y, there.y - 0.2_r) << "falls again";
 }
 
+/// A tray of 14 kg on a wheel in front and two legs behind, its handle towards the person, with a load of 20 kg.
+scene::SceneDescription barrow() {
+    scene::SceneDescription scene = meadow();
+    scene::EntityDescription tray = block("tray", {0.5_r, 0.05_r, 1.4_r}, {0, 0.4_r, -2});
+    tray.body->kind = physics::BodyKind::Dynamic;
+    tray.body->mass_kg = 14;
+    physics::CompoundShape parts;
+    parts.children.push_back({.shape = physics::BoxShape{{0.5_r, 0.05_r, 1.4_r}}});
+    for (const Real x : {-0.2_r, 0.2_r})
+        parts.children.push_back({.shape = physics::BoxShape{{0.04_r, 0.36_r, 0.04_r}},
+                                  .body_from_child = {.position = {x, -0.2_r, 0.3_r}}});
+    const auto add_rim = [&](const Vec3& size_m, const Vec3& at_m) {
+        parts.children.push_back(
+            {.shape = physics::BoxShape{size_m}, .body_from_child = {.position = at_m}});
+    };
+    for (const Real side : {-1.0_r, 1.0_r}) {
+        add_rim({0.04_r, 0.15_r, 0.5_r}, {side * 0.23_r, 0.1_r, -0.4_r});
+        add_rim({0.5_r, 0.15_r, 0.04_r}, {0, 0.1_r, -0.4_r + side * 0.25_r});
+    }
+    tray.body->shape = physics::ShapeDef{parts};
+    scene.entities.push_back(tray);
+    scene::EntityDescription wheel =
+        block("wheel", {0.1_r, 0.1_r, 0.1_r}, {0, 0.2_r, -2.6_r}, physics::BodyKind::Dynamic, 1);
+    wheel.visual = scene::Primitive{physics::CylinderShape{.radius_m = 0.2_r, .height_m = 0.07_r}};
+    wheel.world_from_body.orientation = portable_angle_axis(kPi / 2, Vec3{0, 0, 1});
+    scene.entities.push_back(wheel);
+    scene.joints.push_back({.name = "axle",
+                            .kind = physics::JointKind::Hinge,
+                            .a = "wheel",
+                            .b = "tray",
+                            .anchor_a_m = {0, 0.2_r, -2.6_r},
+                            .axis = {1, 0, 0}});
+    scene.entities.push_back(
+        block("load", {0.3_r, 0.3_r, 0.3_r}, {0, 0.58_r, -2.4_r}, physics::BodyKind::Dynamic, 20));
+    return scene;
+}
+
+TEST(Grab, AWheelbarrowIsLiftedByItsHandleAndPushed) {
+    Playground play(barrow());
+    const Vec3 rest = play.state("tray").world_from_body.position;
+    play.step(look(0.1F, -0.73F));  // a little to the left of the handle's middle
+    play.step(press({Action::Grab}));
+    ASSERT_TRUE(play.game->grab().holding());
+    Actions up = hold({Action::Grab});
+    up.look_pitch_rad = 0.15F;
+    play.step(up);
+    play.run(1, hold({Action::Grab}));
+    const auto height_m = [&](Real z) {
+        return transform_point(play.state("tray").world_from_body, {0, 0, z}).y;
+    };
+    EXPECT_GT(height_m(0.7_r), rest.y + 0.08_r) << "its legs are off the ground";
+    EXPECT_NEAR(play.state("wheel").world_from_body.position.y, 0.2_r, 0.01_r);
+    play.run(3, hold({Action::Grab, Action::Forward}));
+    const Vec3 there = play.state("tray").world_from_body.position;
+    EXPECT_LT(there.z, rest.z - 3) << "it rolls ahead";
+    EXPECT_NEAR(play.state("wheel").world_from_body.position.y, 0.2_r, 0.02_r);
+    const Vec3 side = play.state("tray").world_from_body.orientation * Vec3{1, 0, 0};
+    EXPECT_NEAR(side.y, 0, 0.12) << "and does not tip over";
+    const Vec3 load = transform_point(invert(play.state("tray").world_from_body),
+                                      play.state("load").world_from_body.position);
+    EXPECT_LT(std::abs(load.x), 0.25_r) << "its load is in it";
+    EXPECT_LT(std::abs(load.z), 0.7_r);
+    play.run(1);
+    EXPECT_NEAR(height_m(0.3_r), rest.y, 0.03_r) << "let go, it stands on its legs";
+}
+
 }  // namespace
 }  // namespace plumbline::game
