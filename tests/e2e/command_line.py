@@ -160,7 +160,7 @@ def the_door_of_the_docs_can_be_struck():
 
 def settings():
     run("controls", says="drop")
-    run("controls", "--bind", "drop=k", says='"k"')
+    run("controls", "--bind", "drop=i", says='"i"')
     mine = folder / "config" / "plumbline"
     mine.mkdir(parents=True)
     (mine / "bindings.toml").write_text('format = 1\n[walk]\njump = ["spcae"]\n')

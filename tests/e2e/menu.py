@@ -51,12 +51,12 @@ def controls(environment, *words):
 
 
 def bind_a_key(folder, environment):
-    """Controls, the first action: forward. K in the place of W."""
+    """Controls, the first action: forward. I in the place of W."""
     game = start(folder, environment, "falling_cube")
     try:
         press(game, "Escape", "Down", "Down", "Down", "Down", "Return")
-        press(game, "Down", "Down", "Return", "k")
-        wait_for(folder / "config/plumbline/bindings.ui.toml", 'forward = ["k", "up", "pad.left_y-"]', "bound")
+        press(game, "Down", "Down", "Return", "i")
+        wait_for(folder / "config/plumbline/bindings.ui.toml", 'forward = ["i", "up", "pad.left_y-"]', "bound")
         game.process.send_signal(signal.SIGKILL)
         game.wait(10)
     finally:
@@ -71,7 +71,7 @@ def play_with_it(folder, environment):
     report = folder / "report.json"
     game = start(folder, environment, "falling_cube", "--report", str(report))
     try:
-        game.press("k", 2)
+        game.press("i", 2)
         game.press("w")
         press(game, "Escape", "Up", *7 * ["Down"], "Return")  # Quit
         expect(game.wait(20) == 0, game.log())

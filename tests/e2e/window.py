@@ -55,9 +55,9 @@ def play(game, bindings, shots):
     time.sleep(0.4)
     snap(game, "4_wireframe")
     game.press("n")
-    bindings.write_text('format = 1\n[things]\ndrop = ["k"]\n')
+    bindings.write_text('format = 1\n[things]\ndrop = ["i"]\n')
     time.sleep(2)
-    game.press("k", 2, 0.4)
+    game.press("i", 2, 0.4)
     game.press("q")  # unbound now
     game.do("windowsize", game.window, 800, 450)
     time.sleep(0.5)

@@ -45,7 +45,7 @@ private:
         if (from == nullptr) return {};
         const Vec3d away = here - Vec3d(from->world_from_body.position);
         if (says.quantity == PlaqueQuantity::Distance_m) return glm::length(away);
-        return portable_atan2(glm::length(Vec2d(away.x, away.z)), std::abs(away.y)) * kDegrees;
+        return portable_atan2(glm::length(Vec3d(away.x, 0, away.z)), std::abs(away.y)) * kDegrees;
     }
 
     static std::optional<double> speed_of(const scene::Simulation& simulation,

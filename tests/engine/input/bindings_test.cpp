@@ -41,11 +41,11 @@ TEST(Bindings, ALineWithNothingGoodKeepsTheLowerLayers) {
 }
 
 TEST(Bindings, TheSecondLineWithAnInputIsRefusedAndBothNamed) {  // D6
-    const Loaded loaded("[view]\nflashlight = [\"k\"]\n[time]\nstep = [\"k\"]\n");
-    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "k");
+    const Loaded loaded("[view]\nflashlight = [\"i\"]\n[time]\nstep = [\"i\"]\n");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "i");
     EXPECT_EQ(joined_words(loaded.bindings, Action::Step), "o");
     EXPECT_EQ(loaded.messages(),
-              "bindings.toml:4:9: error: \"k\" already drives \"flashlight\" (line 2, same group). "
+              "bindings.toml:4:9: error: \"i\" already drives \"flashlight\" (line 2, same group). "
               "Line ignored; \"step\" keeps: o\n");
 }
 

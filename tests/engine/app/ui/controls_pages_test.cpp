@@ -11,12 +11,12 @@ TEST_F(ControlsPages, AKeyIsBoundByPressingItAndKeptOverARestart) {
     choose("Controls");
     choose("Q", "Drop the selected object");
     EXPECT_TRUE(control_->menu().page().title.starts_with("Press a key for:"));
-    keys({'K'});
-    EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"k", "pad.right_bumper"}));
-    EXPECT_NE(written("bindings.ui.toml").find("drop = [\"k\", \"pad.right_bumper\"]"),
+    keys({'I'});
+    EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"i", "pad.right_bumper"}));
+    EXPECT_NE(written("bindings.ui.toml").find("drop = [\"i\", \"pad.right_bumper\"]"),
               std::string::npos);
     start();
-    EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"k", "pad.right_bumper"}));
+    EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"i", "pad.right_bumper"}));
     EXPECT_TRUE(bindings_->faults().list().empty());
 }
 
@@ -116,7 +116,7 @@ TEST_F(ControlsPages, OneAGroupAndAllAreReset) {
     EXPECT_EQ(written("bindings.ui.toml").find("drop"), std::string::npos);
 
     choose("Q", "Drop the selected object");
-    keys({'K'});
+    keys({'U'});
     choose("H", "Help");
     keys({'I'});
     choose("Reset all");

@@ -82,7 +82,7 @@ TEST_F(PagesTest, APadAloneLeadsToASceneAndBack) {
     const auto on_hard_cases = [&] {
         return cell(control_->menu().focus()).text.starts_with("Hard");
     };
-    for (int row = 0; row < 4 && !on_hard_cases(); ++row) {
+    for (int row = 0; row < 6 && !on_hard_cases(); ++row) {
         for (int i = 0; i < 6 && !on_hard_cases(); ++i) stick(1.0F, 0.0F);
         for (int i = 0; i < 6 && !on_hard_cases(); ++i) stick(-1.0F, 0.0F);
         if (!on_hard_cases()) stick(0.0F, 1.0F);

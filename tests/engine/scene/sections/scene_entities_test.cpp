@@ -131,7 +131,8 @@ TEST_F(SceneFileTest, ATriggerIsAVolumeWithoutABody) {
     expect_only(
         prefab + volume + "trigger = { at_m = [0, 0, 0] }\n",
         "8:11: error: entity[0].trigger: does nothing; expected one or more of spawn, remove, "
-        "impulse_Ns, gravity_mps2, explode, light, message");
+        "impulse_Ns, gravity_mps2, explode, light, message, "
+        "sound, count");
     expect_only(prefab + volume + "trigger = { light = \"t\", remove = true }\n",
                 "6:8: warning: entity[0].trigger.light: no entity with a light is called \"t\"");
     expect_only(prefab + volume + "trigger = { explode = \"charge\" }\n",

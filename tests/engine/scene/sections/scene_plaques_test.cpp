@@ -31,7 +31,7 @@ effect = "drag"
     EXPECT_EQ(plaque.of, "bob");
     EXPECT_EQ(plaque.quantity, PlaqueQuantity::Period_s);
     EXPECT_EQ(plaque.axis, 2);
-    EXPECT_EQ(plaque.expected, 2.006);
+    EXPECT_NEAR(plaque.expected, 2.006, 1e-6);
     EXPECT_EQ(plaque.effect, "drag");
 }
 
