@@ -26,12 +26,28 @@ constexpr Real kSeatAir_m = 0.01_r;
 constexpr Real kSittingLower_m = 0.2_r;  // than crouching
 constexpr Real kSittingDown_mps = 0.8_r;
 constexpr Real kSeatGone_mps = 1.5_r;  // who falls sits no more
+constexpr Real kSeatGone_m = 0.8_r;    // and who is thrown off a swing
+constexpr Real kPump_N = 80;           // of legs and back, on a swing
 
 std::uint16_t surface_under(const scene::Simulation& simulation, physics::BodyId ground) {
     const ecs::Entity entity = entity_of(simulation, ground);
     if (!simulation.registry.alive(entity)) return 0;
     const auto* surface = simulation.registry.find<scene::SurfaceRef>(entity);
     return surface == nullptr ? std::uint16_t{0} : surface->surface;
+}
+
+/// A seat that swings: it moves, and a joint or a rope holds it.
+bool is_hung(const scene::Simulation& simulation, physics::BodyId seat) {
+    const physics::PhysicsWorld& world = simulation.physics;
+    if (!world.contains(seat) || world.state(seat).kind != physics::BodyKind::Dynamic) return false;
+    const bool has_joint = std::ranges::any_of(simulation.joints(), [&](const auto& joint) {
+        if (!world.contains(joint.joint) || world.joint(joint.joint).state.broken) return false;
+        const physics::JointDef& def = world.joint(joint.joint).def;
+        return def.a == seat || def.b == seat;
+    });
+    return has_joint || std::ranges::any_of(simulation.ropes(), [&](const scene::Rope& rope) {
+               return rope.ends[0] == seat || rope.ends[1] == seat;
+           });
 }
 
 }  // namespace
@@ -55,14 +71,19 @@ void Player::act(scene::Simulation& simulation,
     physics::CharacterInput input;
     const bool moves = actions.is_held(Action::Forward) || actions.is_held(Action::Back) ||
                        actions.is_held(Action::Left) || actions.is_held(Action::Right);
-    const bool falls = state().velocity_mps.y < -kSeatGone_mps;
-    const bool leaves =
-        moves || actions.presses(Action::Jump) > 0 || actions.presses(Action::Crouch) > 0;
+    const bool swings = sits_ && !drives_ && is_hung(simulation, seat_);
+    const bool falls =
+        swings ? seat_away_m(simulation) > kSeatGone_m : state().velocity_mps.y < -kSeatGone_mps;
+    const bool leaves = (moves && !swings) || actions.presses(Action::Jump) > 0 ||
+                        actions.presses(Action::Crouch) > 0;
     if (falls || !walks || (leaves && !drives_)) stand_up();
+    const Real ahead = travel_of(actions, Action::Forward) - travel_of(actions, Action::Back);
     if (sits_) {
         input.crouch = true;
+        if (swings && ahead != 0)
+            simulation.physics.apply_force(seat_,
+                                           level_forward(look.yaw_rad()) * (ahead * kPump_N));
     } else if (walks) {
-        const Real ahead = travel_of(actions, Action::Forward) - travel_of(actions, Action::Back);
         const Real aside = travel_of(actions, Action::Right) - travel_of(actions, Action::Left);
         input.direction_world =
             level_forward(look.yaw_rad()) * ahead + level_right(look.yaw_rad()) * aside;
@@ -111,15 +132,21 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
     return {};
 }
 
-void Player::sit(const Vec3& seat_m, bool drives) {
+void Player::sit(const Vec3& seat_m, physics::BodyId seat, bool drives) {
     teleport(seat_m);
     sits_ = true;
     drives_ = drives;
+    seat_ = seat;
 }
 
 Real Player::change_pace(int notches) {
     pace_ = std::clamp(pace_ * whole_power(kPaceNotch, notches), kSlowestPace, kFastestPace);
     return pace_ * def().walk_speed_mps;
+}
+
+Real Player::seat_away_m(const scene::Simulation& simulation) const {
+    return glm::distance(simulation.physics.state(seat_).center_of_mass_world(),
+                         state().feet_position_m);
 }
 
 Vec3 Player::eye_now_m() const {

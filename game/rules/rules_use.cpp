@@ -74,6 +74,10 @@ bool may_be_taken(const scene::Simulation& simulation, const Looked& looked) {
     return state.pushable() && state.mass.mass_kg <= Grab::kMostMass_kg;
 }
 
+physics::BodyId seat_of(const scene::Simulation& simulation, ecs::Entity entity) {
+    return simulation.registry.get<scene::BodyRef>(entity).body;
+}
+
 }  // namespace
 
 PlaygroundGame::Use PlaygroundGame::use_at(const scene::Simulation& simulation,
@@ -111,10 +115,10 @@ void PlaygroundGame::use(scene::Simulation& simulation, const Actions& actions) 
         } else if (use.door) {
             doors_.swing(*use.door);
         } else if (use.drive) {
-            player_->sit(use.drive->seat_m, true);
+            player_->sit(use.drive->seat_m, {}, true);
             driver_.take(use.drive->vehicle);
         } else if (use.seat_m) {
-            player_->sit(*use.seat_m);
+            player_->sit(*use.seat_m, seat_of(simulation, use.entity));
         } else if (player_ && player_->sits()) {
             player_->stand_up();
         } else {

@@ -330,5 +330,37 @@ TEST(RulesOutlines, BeforeTheSkyAThingIsDroppedBeforeTheFeet) {
     EXPECT_NEAR((low.z + high.z) / 2, place.z, 0.01);
 }
 
+// A person of 75 kg, whose keys push with 80 N in time with the swing of a seat 2.3 m under its hinge.
+TEST(RulesUse, WhoSitsOnASwingSwingsIt) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(
+        block("seat", {0.6_r, 0.04_r, 0.3_r}, {0, 0.5_r, -1.2_r}, physics::BodyKind::Dynamic, 4));
+    scene.joints.push_back({.name = "hinge",
+                            .kind = physics::JointKind::Hinge,
+                            .a = "seat",
+                            .b = "world",
+                            .anchor_a_m = {0, 2.8_r, -1.2_r},
+                            .axis = {1, 0, 0}});
+    Playground play(scene);
+    play.step(look(0.0F, -0.75F));
+    play.step(press({Action::Use}));
+    ASSERT_TRUE(play.game->player()->sits());
+    play.run(1);
+    Real farthest_m = 0;
+    for (int i = 0; i < 1200; ++i) {
+        const Real speed = play.state("seat").velocity_mps.z;
+        play.step(hold({speed <= 0 ? Action::Forward : Action::Back}));
+        const Real off_m = play.state("seat").world_from_body.position.z + 1.2_r;
+        farthest_m = std::max(farthest_m, std::abs(off_m));
+        ASSERT_TRUE(play.game->player()->sits()) << i;
+        ASSERT_LT(glm::distance(play.feet(), play.state("seat").world_from_body.position), 0.4_r);
+        if (farthest_m > 1) break;
+    }
+    EXPECT_GT(farthest_m, 1) << "25 degrees";
+    play.step(press({Action::Jump}));
+    play.run(0.1);
+    EXPECT_FALSE(play.game->player()->sits());
+}
+
 }  // namespace
 }  // namespace plumbline::game
