@@ -8,6 +8,7 @@ import pathlib
 import hard_contacts
 import hard_driven
 import hard_effects
+import hard_fields
 import hard_hulls
 import hard_joints
 import hard_motion
@@ -27,7 +28,7 @@ def main():
     for part in (hard_contacts, hard_hulls, hard_rounds, hard_driven):
         part.write_models(models)
     scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion, hard_hulls, hard_rounds,
-                                 hard_driven, hard_effects)
+                                 hard_driven, hard_effects, hard_fields)
               for scene in part.scenes()]
     for scene in scenes:
         scene.known_red = hard_page.KNOWN_RED.get(scene.id, ())

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "engine/physics/body.h"
+#include "engine/physics/joint.h"
 
 #include <array>
 #include <cstdint>

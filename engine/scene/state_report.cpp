@@ -23,29 +23,16 @@ double water_J(const Simulation& simulation) {
 }
 
 void add_totals(JsonText& json, const Simulation& simulation) {
-    physics::Energy energy = physics::energy(simulation.physics);
-    Vec3d momentum_kgmps = physics::momentum_kgmps(simulation.physics);
-    Vec3d angular_momentum_kgm2ps = physics::angular_momentum_kgm2ps(simulation.physics);
-    for (const auto& list : {simulation.cloths(), simulation.softs()}) {
-        for (const SceneDeformable& each : list) {
-            const physics::PointTotals sum = each.body->body().totals();
-            energy.kinetic_J += sum.kinetic_J;
-            energy.elastic_J += sum.elastic_J;
-            energy.potential_J -=
-                glm::dot(Vec3d(simulation.physics.def().gravity_mps2), sum.moment_kgm);
-            momentum_kgmps += sum.momentum_kgmps;
-            angular_momentum_kgm2ps += sum.angular_momentum_kgm2ps;
-        }
-    }
+    const Totals totals = totals_of(simulation);
     json.key("energy_J").begin_object();
-    json.key("kinetic").number(energy.kinetic_J);
-    json.key("potential").number(energy.potential_J);
-    json.key("elastic").number(energy.elastic_J);
-    json.key("water").number(water_J(simulation));
-    json.key("magnetic").number(simulation.force_fields.energy_J("magnets"));
+    json.key("kinetic").number(totals.energy.kinetic_J);
+    json.key("potential").number(totals.energy.potential_J);
+    json.key("elastic").number(totals.energy.elastic_J);
+    json.key("water").number(totals.water_J);
+    json.key("magnetic").number(totals.magnetic_J);
     json.end_object();
-    json.key("momentum_kgmps").vector(momentum_kgmps);
-    json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps);
+    json.key("momentum_kgmps").vector(totals.momentum_kgmps);
+    json.key("angular_momentum_kgm2ps").vector(totals.angular_momentum_kgm2ps);
     json.key("max_penetration_m").number(max_penetration_m(simulation.physics));
     json.key("max_joint_error_m").number(max_joint_error_m(simulation.physics));
 }
@@ -144,6 +131,26 @@ void add_cost(JsonText& json, const CostHistory& costs) {
 }
 
 }  // namespace
+
+Totals totals_of(const Simulation& simulation) {
+    Totals totals{.energy = physics::energy(simulation.physics),
+                  .water_J = water_J(simulation),
+                  .magnetic_J = simulation.force_fields.energy_J("magnets"),
+                  .momentum_kgmps = physics::momentum_kgmps(simulation.physics),
+                  .angular_momentum_kgm2ps = physics::angular_momentum_kgm2ps(simulation.physics)};
+    for (const auto& list : {simulation.cloths(), simulation.softs()}) {
+        for (const SceneDeformable& each : list) {
+            const physics::PointTotals sum = each.body->body().totals();
+            totals.energy.kinetic_J += sum.kinetic_J;
+            totals.energy.elastic_J += sum.elastic_J;
+            totals.energy.potential_J -=
+                glm::dot(Vec3d(simulation.physics.def().gravity_mps2), sum.moment_kgm);
+            totals.momentum_kgmps += sum.momentum_kgmps;
+            totals.angular_momentum_kgm2ps += sum.angular_momentum_kgm2ps;
+        }
+    }
+    return totals;
+}
 
 void CostHistory::add(const physics::StepCost& cost) {
     step_ms.push_back(static_cast<float>(cost.total_ms));

@@ -1,6 +1,7 @@
 // The state file and the trace of `simulate`, field for field as docs/SCENE-FORMAT.md says.
 #pragma once
 
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation.h"
 
 #include <string>
@@ -34,6 +35,18 @@ struct Percentiles {
     double max{0};
 };
 Percentiles percentiles_of(std::vector<float> values);
+
+/// Of everything that moves, and of fields.
+struct Totals {
+    physics::Energy energy{};  ///< of bodies, cloths and soft bodies
+    double water_J{0};         ///< what displaced water has risen by, and waves
+    double magnetic_J{0};
+    Vec3d momentum_kgmps{0, 0, 0};
+    Vec3d angular_momentum_kgm2ps{0, 0, 0};
+
+    double energy_J() const { return energy.total_J() + water_J + magnetic_J; }
+};
+Totals totals_of(const Simulation& simulation);
 
 /// One JSON object as text. `effects_json`: the ledger, already JSON (effects/ledger.h).
 std::string state_json(const Simulation& simulation,

@@ -18,6 +18,7 @@ constexpr double kSphere_sr = 4 * 3.14159265358979323846;
 constexpr std::array kRaysOfOne{64, 512, 4096};
 constexpr std::array kRaysOfAll{20'000, 60'000, 200'000};
 constexpr int kLeastRays = 8;
+constexpr double kPoint_m = 1e-3;
 /// Of a step: an instant so little before its begin is its begin.
 constexpr double kRounding = 1e-6;
 
@@ -100,6 +101,19 @@ private:
         return targets;
     }
 
+    static bool holds(const scene::Simulation& simulation, BodyId body, const Vec3& point_m) {
+        const physics::BodyState state = simulation.physics.state(body);
+        const auto touch =
+            physics::ball_contact(simulation.physics,
+                                  body,
+                                  {Vec3d(state.center_of_mass_world()),
+                                   physics::world_from_mass(simulation.physics, body)},
+                                  Vec3d(point_m),
+                                  kPoint_m,
+                                  kPoint_m);
+        return touch && touch->distance_m < 0;
+    }
+
     /// Rays spread evenly over the cone (a spherical Fibonacci set), each with its share of the impulse. What they meet first
     /// takes it. None where the body is out of reach.
     static std::vector<Strike> strikes_on(const scene::Simulation& simulation,
@@ -115,19 +129,29 @@ private:
         const double length_m = target.away_m + target.radius_m;
         std::vector<Strike> strikes;
         double nearest_m = HUGE_VAL;
-        for (int i = 0; i < rays; ++i) {
-            const double along = 1 - (i + 0.5) / rays * (1 - target.cosine);
+        // From within, each with its opposite: what is alike all around gets no push.
+        const bool is_within = holds(simulation, target.body, charge.position_m);
+        const int spread = is_within ? rays / 2 : rays;
+        const double widest = is_within ? 0 : target.cosine;
+        const auto strike = [&](const Vec3d& direction) {
+            const Vec3 end = charge.position_m + Vec3(direction * length_m);
+            const auto hit = is_within
+                                 ? physics::cast_ray(simulation.physics, end, charge.position_m)
+                                 : physics::cast_ray(simulation.physics, charge.position_m, end);
+            const bool is_met = hit && hit->body == target.body;
+            if (!is_met && !is_within) return;
+            nearest_m = is_within ? 0 : std::min(nearest_m, static_cast<double>(hit->distance_m));
+            strikes.push_back({.impulse_Ns = Vec3(direction * each_Ns),
+                               .point_world = is_met ? hit->point_world : charge.position_m});
+        };
+        for (int i = 0; i < spread; ++i) {
+            const double along = 1 - (i + 0.5) / spread * (1 - widest);
             const double across = std::sqrt(std::max(1 - along * along, 0.0));
             const double turn_rad = kRayTurn_rad * i;
             const Vec3d direction =
                 z * along + (x * portable_cos(turn_rad) + y * portable_sin(turn_rad)) * across;
-            const auto hit = physics::cast_ray(simulation.physics,
-                                               charge.position_m,
-                                               charge.position_m + Vec3(direction * length_m));
-            if (!hit || hit->body != target.body) continue;
-            nearest_m = std::min(nearest_m, static_cast<double>(hit->distance_m));
-            strikes.push_back(
-                {.impulse_Ns = Vec3(direction * each_Ns), .point_world = hit->point_world});
+            strike(direction);
+            if (is_within) strike(-direction);
         }
         if (nearest_m > static_cast<double>(charge.reach_m)) strikes.clear();
         return strikes;

@@ -97,11 +97,12 @@ std::string margin_text(double margin) {
 HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
     : seconds_(simulation.description().hard_case->seconds) {
     const scene::HardCase& hard = *simulation.description().hard_case;
-    start_.energy_J = physics::energy(simulation.physics).total_J();
+    const scene::Totals totals = scene::totals_of(simulation);
+    start_.energy_J = totals.energy.total_J();
     start_.energy_scale_J =
         hard.energy_scale_J > 0 ? hard.energy_scale_J : std::max(std::abs(start_.energy_J), 1e-9);
-    start_.momentum_kgmps = momentum_kgmps(simulation.physics);
-    start_.angular_momentum_kgm2ps = angular_momentum_kgm2ps(simulation.physics);
+    start_.momentum_kgmps = totals.momentum_kgmps;
+    start_.angular_momentum_kgm2ps = totals.angular_momentum_kgm2ps;
 }
 
 Result<HardCaseJudge> HardCaseJudge::create(const scene::Simulation& simulation) {
@@ -255,6 +256,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
     const auto& value = watched.measure->value;
     if (const auto* of_world = std::get_if<WorldMeasure>(&value)) {
         take((*of_world)({.world = simulation.physics,
+                          .totals = totals_,
                           .start = start_,
                           .added_energy_J = simulation.added_energy_J,
                           .braked_J = interventions_.braked_J,
@@ -288,6 +290,10 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
 void HardCaseJudge::after_step(const scene::Simulation& simulation) {
     if (has_ended_) return;
     interventions_.add(simulation.physics.report().cost.interventions);
+    totals_ = scene::totals_of(simulation);
+    // Fields are there once effects are, which is after the judge.
+    if (!std::exchange(knows_fields_, true))
+        start_.energy_J += totals_.energy_J() - totals_.energy.total_J();
     const double time_s = simulation.time_s();
     const double half_step_s = kHalfStep * simulation.step_s();
     for (Body& body : bodies_) {

@@ -108,6 +108,8 @@ private:
     std::vector<RuleState> states_;
     std::vector<physics::ContactEvent> contacts_;
     physics::Interventions interventions_{};
+    scene::Totals totals_{};  ///< after the latest step
+    bool knows_fields_{false};
     bool needs_contacts_{false};
     bool has_ended_{false};
     Verdict verdict_{Verdict::Undecided};

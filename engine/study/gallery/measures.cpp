@@ -89,11 +89,9 @@ double heap_slope_deg(std::span<const BodyObservation> bodies) {
     return kDegrees * std::atan2(top_m, *at_90);
 }
 
-double energy_J(const WorldObservation& look) {
-    return physics::energy(look.world).total_J();
-}
 double energy_gain(const WorldObservation& look) {
-    return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
+    return (look.totals.energy_J() - look.start.energy_J - look.added_energy_J) /
+           look.start.energy_scale_J;
 }
 
 /// docs/SCENE-FORMAT.md says what each one is.
@@ -164,15 +162,15 @@ const std::array kMeasures{
         "braked_share",
         +[](const WorldObservation& look) { return look.braked_J / look.start.energy_scale_J; }},
     Measure{"kinetic_J",
-            +[](const WorldObservation& look) { return physics::energy(look.world).kinetic_J; }},
+            +[](const WorldObservation& look) { return look.totals.energy.kinetic_J; }},
     Measure{"momentum_change",
             +[](const WorldObservation& look) {
-                return change_of(look.start.momentum_kgmps, momentum_kgmps(look.world));
+                return change_of(look.start.momentum_kgmps, look.totals.momentum_kgmps);
             }},
     Measure{"angular_momentum_change",
             +[](const WorldObservation& look) {
                 return change_of(look.start.angular_momentum_kgm2ps,
-                                 angular_momentum_kgm2ps(look.world));
+                                 look.totals.angular_momentum_kgm2ps);
             }},
     Measure{"non_finite",
             +[](const WorldObservation& look) {

@@ -3,6 +3,7 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/physics_world.h"
+#include "engine/scene/state_report.h"
 
 #include <cstdint>
 #include <span>
@@ -43,6 +44,7 @@ struct WorldStart {
 /// The whole world as a measure sees it.
 struct WorldObservation {
     const physics::PhysicsWorld& world;
+    const scene::Totals& totals;
     const WorldStart& start;
     double added_energy_J{0};  ///< by the case's events
     double braked_J{0};        ///< what the energy guard has taken out so far

@@ -42,5 +42,25 @@ TEST(Explosion, SparesWhatIsOutOfReachOrHidden) {
         << "near and, hidden, none: targets in reach";
 }
 
+// Sunk into the ground by a little, as what rests is: the ground takes nothing of what goes off inside of it.
+TEST(Explosion, InTheMiddleOfABodyPushesItNowhereAndStrikesItAllAround) {
+    scene::EntityDescription core = test::box("core", {0, 0.4999_r, 0}, {1, 1, 1});
+    core.body->mass_kg = 50;
+    SceneDescription scene = test::scene_of(
+        {core, test::box("ground", {0, -1, 0}, {20, 2, 20}, physics::BodyKind::Static)});
+    scene.forces.explosions.push_back(
+        {.at_s = 0.1, .position_m = {0, 0.5_r, 0}, .impulse_Ns = 4000});
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    std::size_t struck = 0;
+    run->before_step = [&struck](scene::Simulation& simulation) {
+        struck = std::max(struck, simulation.blows.size());
+    };
+    run.step(30, effects);
+    EXPECT_GT(struck, 100U);
+    EXPECT_NEAR(run.state("core").world_from_body.position.y, 0.5, 1e-3);
+    EXPECT_NEAR(glm::length(run.state("core").velocity_mps), 0, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::effects
