@@ -29,7 +29,8 @@ def pond():
     scene.fixed("bed", box(80, 1, 80), (0, -30.5, 0), shadow=False)
     scene.parts.append('[[water]]\nname = "pond"\nmin_m = [-40.0, -30.0, -40.0]\nmax_m = [40.0, 0.0, 40.0]\n')
     scene.body("cork", box(0.1, 0.1, 0.1), (-14, 0.04, 4), 0.001, material="paint_orange")
-    scene.body("barge", box(20, 5, 20), (4, 0, -4), 1e6, material="wood")
+    scene.parts.append('[[entity]]\nname = "barge"\nposition_m = [4.0, 0.0, -4.0]\nprimitive = { box = [20.0, 5.0, 20.0] }\n'
+                       'material = "wood"\n[entity.body]\ndensity_kgpm3 = 500.0\nfriction = 0.5\ncan_sleep = false\n')
     scene.body("diver", ball(0.2), (-14, 1, 8), 10.0, velocity=(0, -50, 0), material="paint_blue")
     scene.rule("height_m", "cork", near=(0.05 - 0.1 * 0.001, 0.005), from_s=15)
     scene.rule("height_m", "barge", near=(2.5 - 2.5, 0.01))

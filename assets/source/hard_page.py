@@ -8,14 +8,14 @@ INTRODUCTION = """# The gallery of hard cases
 
 ![An arch of fifteen hulls, the card house after 15 s, a marble in a bowl of triangles, a rod that has met its post, barrels and pins, long boxes on hills](images/contacts.jpg)
 
-94 scenes that are known to make physics engines collapse, explode, tunnel or creep, each with its own pass rules in
+@ALL@ scenes that are known to make physics engines collapse, explode, tunnel or creep, each with its own pass rules in
 numbers. `assets/source/make_hard_scenes.py` writes the scenes and this page;
 [SCENE-FORMAT.md](SCENE-FORMAT.md#hard-cases) explains the measures.
 
 ```
-plumbline stability                            # the 90 cases of the CI tier, every solver
+plumbline stability                            # the @CI@ cases of the CI tier, every solver
 plumbline stability H05 H30 --solver small_step
-plumbline stability --tier all --rates --out DIR   # all 94, at 30, 60 and 240 Hz; JSON and a page
+plumbline stability --tier all --rates --out DIR   # all @ALL@, at 30, 60 and 240 Hz; JSON and a page
 plumbline play hard/H05                        # walk around in one; its rules are on the screen
 ```
 
@@ -182,5 +182,7 @@ def page(scenes):
     later = [f"| {scene.id} | penetration, before {number(scene.general['settled_s'])} s | {scene.unsettled} |"
              for scene in scenes if scene.unsettled]
     unfed = [f"| {scene.id} | energy | fed by {scene.energy_from} |" for scene in scenes if scene.energy_from]
-    return INTRODUCTION + "\n".join(rows) + "\n" + LEFT_OUT.format(
+    in_ci = sum(scene.tier == "ci" for scene in scenes)
+    head = INTRODUCTION.replace("@ALL@", str(len(scenes))).replace("@CI@", str(in_ci))
+    return head + "\n".join(rows) + "\n" + LEFT_OUT.format(
         nightly=nightly, reds="\n".join(reds), exceptions="\n".join(sorted(later + unfed)))

@@ -38,6 +38,14 @@ SCENES = {
         ("magnets", 0.3), ("rope", 0.5), ("soft", 2.0), ("vehicles", 2.5), ("water", 1.0), ("wind", 4.0)]},
 }
 HARD = {
+    "hard/E04": (2.0, None),
+    "hard/E05": (0.5, None),
+    "hard/E06": (1.5, None),
+    "hard/E07": (3.0, None),
+    "hard/E08": (0.3, None),
+    "hard/E09": (0.8, None),
+    "hard/E10": (1.0, None),
+    "hard/E11": (1.7, None),
     "hard/H01": (1.0, None),
     "hard/H05": (1.0, None),
     "hard/H30": (2.0, None),

@@ -11,6 +11,7 @@
 #include "engine/physics/totals.h"
 #include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
+#include "engine/scene/simulation/trace_csv.h"
 #include "engine/scene/state_report.h"
 #include "engine/scene/warning_log.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
@@ -99,6 +100,7 @@ public:
         steps_wanted_ = simulation_.steps() + steps_in(options_.seconds);
         steps_between_traces_ = std::max<std::uint64_t>(1, steps_in(options_.trace_every_s));
         if (!options_.trace_file.empty()) traced_ = trace_.open(options_.trace_file);
+        if (traces_csv() && traced_) traced_ = trace_.write(scene::trace_csv_head());
         trace();
         if (options_.drive_fps)
             step_by_frames();
@@ -138,8 +140,10 @@ private:
 
     void trace() {
         if (options_.trace_file.empty() || !traced_) return;
-        traced_ = trace_.write(state(true) + "\n");
+        traced_ = trace_.write(traces_csv() ? scene::trace_csv_lines(simulation_)
+                                            : state(true) + "\n");
     }
+    bool traces_csv() const { return options_.trace_file.extension() == ".csv"; }
 
     const SimulateOptions& options_;
     const scene::OpenedScene& opened_;

@@ -1,5 +1,7 @@
 #include "engine/study/findings/findings_json.h"
 
+#include "engine/core/text/csv.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,16 +15,6 @@ constexpr std::string_view kCsvHeading =
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
     "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes\n";
 
-std::string field(std::string_view text) {
-    if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char letter : text) {
-        if (letter == '"') quoted += '"';
-        quoted += letter;
-    }
-    return quoted + '"';
-}
-
 std::string line_of(const Subject& subject,
                     const Metric& metric,
                     const Point& point,
@@ -30,9 +22,9 @@ std::string line_of(const Subject& subject,
     const Setting& setting = point.setting;
     const RunCost& cost = point.cost;
     const std::string what = fmt::format("{},{},{},{}",
-                                         field(subject.id),
-                                         field(metric.name),
-                                         field(metric.scale),
+                                         csv_field(subject.id),
+                                         csv_field(metric.name),
+                                         csv_field(metric.scale),
                                          word_of(subject.tier));
     const std::string how = fmt::format("{},{},{},{},{},{},{},{}",
                                         physics::solver_name(setting.solver),
@@ -42,7 +34,7 @@ std::string line_of(const Subject& subject,
                                         setting.iterations,
                                         word_of(setting.precision),
                                         word_of(point.status),
-                                        field(point.why));
+                                        csv_field(point.why));
     const std::string found = std::isfinite(error) ? fmt::format("{}", error) : std::string();
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        what,

@@ -147,5 +147,27 @@ TEST_F(Tied, GoesOnFromASavedGameToTheBit) {
     EXPECT_EQ(other.messages().back(), play_.messages().back());
 }
 
+// Its line passes through a wall, half of its pieces are deep inside: it may stay there or come out, but flings nothing.
+TEST(TiedRope, ThroughAWallDoesNotBlowUp) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(block("wall", {3, 3, 2}, {0, 1.5_r, -5}));
+    scene.entities.push_back(
+        block("crate", {0.4_r, 0.4_r, 0.4_r}, {0, 0.2_r, -3}, physics::BodyKind::Dynamic, 8));
+    Playground play(scene);
+    const Result<Done> tied = play.simulation->tie_rope(
+        {.names = {"crate", "world"}, .anchors_world_m = {Vec3{0, 0.4_r, -3}, Vec3{0, 1.5_r, -7}}});
+    ASSERT_TRUE(tied) << tied.error().message;
+    Real fastest_mps = 0;
+    for (int i = 0; i < 300; ++i) {
+        play.step();
+        for (const scene::MovingBody& moving : play.simulation->moving_bodies())
+            fastest_mps = std::max(
+                fastest_mps, glm::length(play.simulation->physics.state(moving.body).velocity_mps));
+    }
+    EXPECT_LT(fastest_mps, 10);
+    EXPECT_LT(glm::distance(play.state("crate").world_from_body.position, Vec3{0, 0.2_r, -3}), 2);
+    EXPECT_TRUE(play.simulation->physics.report().isolated.empty());
+}
+
 }  // namespace
 }  // namespace plumbline::game
