@@ -36,15 +36,14 @@ private:
         const scene::Transform* at = find(simulation, says.of);
         if (at == nullptr) return {};
         const Vec3d here(at->world_from_body.position);
-        if (says.quantity == PlaqueQuantity::Period_s) return here[says.axis];
-        if (says.quantity == PlaqueQuantity::Height_m) return here.y;
-        if (says.quantity == PlaqueQuantity::Speed_mps ||
-            says.quantity == PlaqueQuantity::Spin_degps)
+        if (says.quantity == PlaqueQuantity::Period) return here[says.axis];
+        if (says.quantity == PlaqueQuantity::Height) return here.y;
+        if (says.quantity == PlaqueQuantity::Speed || says.quantity == PlaqueQuantity::Spin)
             return speed_of(simulation, says);
         const scene::Transform* from = find(simulation, says.from);
         if (from == nullptr) return {};
         const Vec3d away = here - Vec3d(from->world_from_body.position);
-        if (says.quantity == PlaqueQuantity::Distance_m) return glm::length(away);
+        if (says.quantity == PlaqueQuantity::Distance) return glm::length(away);
         return portable_atan2(glm::length(Vec3d(away.x, 0, away.z)), std::abs(away.y)) * kDegrees;
     }
 
@@ -53,7 +52,7 @@ private:
         const auto* ref = simulation.registry.find<scene::BodyRef>(simulation.find(says.of));
         if (ref == nullptr || !simulation.physics.contains(ref->body)) return {};
         const physics::BodyState state = simulation.physics.state(ref->body);
-        if (says.quantity == PlaqueQuantity::Spin_degps)
+        if (says.quantity == PlaqueQuantity::Spin)
             return glm::length(Vec3d(state.angular_velocity_radps)) * kDegrees;
         return glm::length(Vec3d(state.velocity_mps));
     }

@@ -12,7 +12,7 @@ constexpr double kSamePeriod = 0.1;  // of the mean
 }  // namespace
 
 void PlaqueMeter::note(PlaqueQuantity quantity, double value, double step_s) {
-    if (quantity == PlaqueQuantity::Period_s) return note_coordinate(value, step_s);
+    if (quantity == PlaqueQuantity::Period) return note_coordinate(value, step_s);
     if (!measured_) measured_ = value;
     *measured_ += (value - *measured_) * std::min(step_s / kMean_s, 1.0);
 }

@@ -11,12 +11,12 @@ namespace plumbline::scene {
 
 /// What is measured of an entity.
 enum class PlaqueQuantity : std::uint8_t {
-    Period_s,    ///< between two maxima of a coordinate
-    Height_m,    ///< of its origin
-    Speed_mps,   ///< of its origin
-    Distance_m,  ///< of its origin from that of another entity
-    Lean_deg,    ///< of the line from another entity's origin to its own, against the vertical
-    Spin_degps,  ///< how fast it turns
+    Period,    ///< s, between two maxima of a coordinate
+    Height,    ///< m, of its origin
+    Speed,     ///< m/s, of its origin
+    Distance,  ///< m, of its origin from that of another entity
+    Lean,  ///< degrees, of the line from another entity's origin to its own, against the vertical
+    Spin,  ///< degrees a second
 };
 
 /// `plaque` of an entity.
@@ -25,7 +25,7 @@ struct PlaqueDescription {
     std::string formula;
     std::string of;    ///< entity that is measured
     std::string from;  ///< the other entity, where there is one
-    PlaqueQuantity quantity{PlaqueQuantity::Height_m};
+    PlaqueQuantity quantity{PlaqueQuantity::Height};
     int axis{0};         ///< of a period: the world coordinate 0, 1 or 2
     double expected{0};  ///< by the formula
     std::string effect;  ///< whose cost is told; empty: that of the rigid bodies' step

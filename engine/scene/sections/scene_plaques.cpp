@@ -25,8 +25,8 @@ void read_plaque(TableReader& table, PlaqueDescription& plaque) {
     if (!plaque.effect.empty() &&
         std::ranges::find(effects_with_fidelity(), plaque.effect) == effects_with_fidelity().end())
         table.error("effect", "no effect with a fidelity is called \"{}\"", shown(plaque.effect));
-    const bool is_between = plaque.quantity == PlaqueQuantity::Distance_m ||
-                            plaque.quantity == PlaqueQuantity::Lean_deg;
+    const bool is_between =
+        plaque.quantity == PlaqueQuantity::Distance || plaque.quantity == PlaqueQuantity::Lean;
     if (is_between) table.require("from", "the entity that it is measured from");
 }
 

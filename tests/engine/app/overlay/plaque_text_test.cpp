@@ -15,7 +15,7 @@ std::vector<std::string> texts_of(const scene::PlaqueReading& reading, double co
 scene::PlaqueReading pendulum() {
     scene::PlaqueReading reading;
     reading.says = {.title = "Pendulum", .formula = "T = 2 pi sqrt(L / g)", .of = "bob"};
-    reading.says.quantity = scene::PlaqueQuantity::Period_s;
+    reading.says.quantity = scene::PlaqueQuantity::Period;
     reading.says.expected = 2;
     return reading;
 }
@@ -43,7 +43,7 @@ TEST(PlaqueText, HasTheErrorInPercent) {
 
 TEST(PlaqueText, ComparesWithNothingInItsUnit) {
     scene::PlaqueReading reading = pendulum();
-    reading.says.quantity = scene::PlaqueQuantity::Speed_mps;
+    reading.says.quantity = scene::PlaqueQuantity::Speed;
     reading.says.expected = 0;
     reading.says.effect = "drag";
     reading.measured = 0.002;

@@ -29,18 +29,18 @@ std::optional<double> measured(PlaqueQuantity quantity) {
 
 TEST(Plaques, MeasureWhatTheySay) {
     const Vec3d there{3.0 / 60, 10 + 4.0 / 60, 0};
-    EXPECT_NEAR(*measured(PlaqueQuantity::Height_m), there.y, 1e-5);
-    EXPECT_NEAR(*measured(PlaqueQuantity::Speed_mps), 5, 1e-5);
-    EXPECT_NEAR(*measured(PlaqueQuantity::Spin_degps), 90, 1e-3);
-    EXPECT_NEAR(*measured(PlaqueQuantity::Distance_m), glm::length(there), 1e-5);
-    EXPECT_NEAR(*measured(PlaqueQuantity::Lean_deg),
+    EXPECT_NEAR(*measured(PlaqueQuantity::Height), there.y, 1e-5);
+    EXPECT_NEAR(*measured(PlaqueQuantity::Speed), 5, 1e-5);
+    EXPECT_NEAR(*measured(PlaqueQuantity::Spin), 90, 1e-3);
+    EXPECT_NEAR(*measured(PlaqueQuantity::Distance), glm::length(there), 1e-5);
+    EXPECT_NEAR(*measured(PlaqueQuantity::Lean),
                 std::atan2(there.x, there.y) * 180 / static_cast<double>(kPi),
                 1e-4);
-    EXPECT_FALSE(measured(PlaqueQuantity::Period_s)) << "it does not come back";
+    EXPECT_FALSE(measured(PlaqueQuantity::Period)) << "it does not come back";
 }
 
 TEST(Plaques, KeepTheirLastValueWhenWhatTheyMeasureWent) {
-    test::Running run(flight(PlaqueQuantity::Speed_mps));
+    test::Running run(flight(PlaqueQuantity::Speed));
     EffectRuntime effects(*run, {});
     run.step(5, effects);
     run->registry.destroy(run->find("box"));

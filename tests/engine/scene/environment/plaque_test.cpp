@@ -13,7 +13,7 @@ constexpr double kTurn = 2 * 3.14159265358979323846;
 
 PlaqueMeter after(double seconds, double period_s, PlaqueMeter meter = {}) {
     for (int i = 0; i < static_cast<int>(seconds / kStep_s); ++i)
-        meter.note(PlaqueQuantity::Period_s, std::cos(kTurn * i * kStep_s / period_s - 1), kStep_s);
+        meter.note(PlaqueQuantity::Period, std::cos(kTurn * i * kStep_s / period_s - 1), kStep_s);
     return meter;
 }
 
@@ -36,10 +36,10 @@ TEST(PlaqueMeter, AnotherPeriodStartsItsMeanAnew) {
 
 TEST(PlaqueMeter, AQuantityIsTheMeanOfTheLatestSecond) {
     PlaqueMeter meter;
-    meter.note(PlaqueQuantity::Height_m, 3, kStep_s);
+    meter.note(PlaqueQuantity::Height, 3, kStep_s);
     EXPECT_EQ(*meter.measured(), 3);
     // A step of the input: 1 - 1/e of it after the time constant.
-    for (int i = 0; i < 60; ++i) meter.note(PlaqueQuantity::Height_m, 4, kStep_s);
+    for (int i = 0; i < 60; ++i) meter.note(PlaqueQuantity::Height, 4, kStep_s);
     EXPECT_NEAR(*meter.measured(), 4 - std::exp(-1), 0.01);
 }
 

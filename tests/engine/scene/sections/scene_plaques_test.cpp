@@ -29,7 +29,7 @@ effect = "drag"
     EXPECT_EQ(plaque.title, "Pendulum");
     EXPECT_EQ(plaque.formula, "T = 2 pi (L / g)^0.5");
     EXPECT_EQ(plaque.of, "bob");
-    EXPECT_EQ(plaque.quantity, PlaqueQuantity::Period_s);
+    EXPECT_EQ(plaque.quantity, PlaqueQuantity::Period);
     EXPECT_EQ(plaque.axis, 2);
     EXPECT_NEAR(plaque.expected, 2.006, 1e-6);
     EXPECT_EQ(plaque.effect, "drag");
