@@ -140,8 +140,8 @@ private:
 
     void trace() {
         if (options_.trace_file.empty() || !traced_) return;
-        traced_ = trace_.write(traces_csv() ? scene::trace_csv_lines(simulation_)
-                                            : state(true) + "\n");
+        traced_ =
+            trace_.write(traces_csv() ? scene::trace_csv_lines(simulation_) : state(true) + "\n");
     }
     bool traces_csv() const { return options_.trace_file.extension() == ".csv"; }
 

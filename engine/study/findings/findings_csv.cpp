@@ -1,6 +1,5 @@
-#include "engine/study/findings/findings_json.h"
-
 #include "engine/core/text/csv.h"
+#include "engine/study/findings/findings_json.h"
 
 #include <fmt/format.h>
 
