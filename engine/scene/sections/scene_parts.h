@@ -70,7 +70,7 @@ std::optional<Reference> read_file_reference(TableReader& table,
                                              std::span<const std::string_view> extensions,
                                              std::string_view instead,
                                              const LoadContext& context);
-/// The key `file` of a table `sound`, which needs one; empty where there is no such file.
+/// The file that `key` names, which the table needs; empty where there is no such file.
 std::filesystem::path read_sound_file(TableReader& table,
                                       const char* key,
                                       const LoadContext& context);
@@ -81,9 +81,9 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
 // --- scene_lights.cpp
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
 void read_light(TableReader& table, LightDescription& light);
+
+// --- scene_plaques.cpp
 void read_plaque(TableReader& table, PlaqueDescription& plaque);
-/// Of one line; faults say what is wrong with another.
-std::string read_short_text(TableReader& table, const char* key);
 
 // --- scene_screen_effects.cpp
 void read_occlusion(TableReader& table, OcclusionDescription& occlusion);
@@ -119,6 +119,8 @@ void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& contex
 
 /// Fit to stand in messages and to be found by: no control characters, not endless.
 bool is_good_name(std::string_view name);
+/// Of one line; faults say what is wrong with another.
+std::string read_short_text(TableReader& table, const char* key);
 /// The key `name`; empty when absent or not good.
 std::string read_name(TableReader& table);
 

@@ -259,15 +259,15 @@ void Grab::keep_level(scene::Simulation& simulation, const Aim& aim) {
     const Vec3 wanted = normalize_or(Vec3{across.x, 0, across.z}, axle);
     const Vec3 off = glm::cross(axle, wanted);
     const Vec3 ahead = normalize_or(glm::cross(Vec3{0, 1, 0}, wanted), Vec3{0, 0, 0});
-    const auto torque_about = [&](const Vec3& way, Real stiffness_radps, Real gain) {
+    const auto torque_about = [&](const Vec3& way) {
         const Real spin = glm::dot(state.angular_velocity_radps, way);
         const Vec3 next =
-            damped(way * spin, way * glm::dot(off, way), Vec3{0, 0, 0}, stiffness_radps, dt);
-        const Vec3 change = glm::conjugate(now) * ((next - way * spin) * (gain / dt));
+            damped(way * spin, way * glm::dot(off, way), Vec3{0, 0, 0}, kLevelStiffness_radps, dt);
+        const Vec3 change = glm::conjugate(now) * ((next - way * spin) * (kHandleGain / dt));
         return shortened(now * (state.mass.inertia_kgm2 * change), kMostTorque_Nm);
     };
-    world.apply_torque(body_, torque_about(ahead, kLevelStiffness_radps, kHandleGain));
-    world.apply_torque(body_, torque_about(Vec3{0, 1, 0}, kLevelStiffness_radps, kHandleGain));
+    world.apply_torque(body_, torque_about(ahead));
+    world.apply_torque(body_, torque_about(Vec3{0, 1, 0}));
 }
 
 void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {

@@ -80,8 +80,7 @@ std::optional<RopeInSight> rope_at(const scene::Simulation& simulation, const Ai
         static_cast<double>(looked ? looked->distance_m : aim.reach_m(Tying::kReach_m)) +
         kHandBreadth_m;
     std::optional<RopeInSight> found;
-    for (std::size_t i = 0; i < simulation.ropes().size(); ++i) {
-        const scene::Rope& rope = simulation.ropes()[i];
+    for (const scene::Rope& rope : simulation.ropes()) {
         for (const physics::BodyId piece : rope.pieces) {
             if (!simulation.physics.contains(piece)) continue;
             const Pose pose = simulation.physics.state(piece).world_from_body;
@@ -94,7 +93,7 @@ std::optional<RopeInSight> rope_at(const scene::Simulation& simulation, const Ai
             const physics::JointId joint = joint_near(simulation, rope, pass.point_m);
             if (!joint) continue;
             nearest_m = pass.along_m;
-            found = RopeInSight{.rope = i, .joint = joint, .point_m = Vec3(pass.point_m)};
+            found = RopeInSight{.joint = joint, .point_m = Vec3(pass.point_m)};
         }
     }
     return found;
@@ -110,9 +109,12 @@ Tying::Place Tying::place_of(const scene::Simulation& simulation, const Looked& 
 }
 
 std::optional<Vec3> Tying::first_end_m(const scene::Simulation& simulation) const {
-    if (!begun_) return {};
-    if (!first_.body) return first_.anchor_m;
-    return transform_point(simulation.physics.state(first_.body).world_from_body, first_.anchor_m);
+    return begun_ ? std::optional(first_.world_m(simulation)) : std::nullopt;
+}
+
+Vec3 Tying::Place::world_m(const scene::Simulation& simulation) const {
+    if (!body) return anchor_m;
+    return transform_point(simulation.physics.state(body).world_from_body, anchor_m);
 }
 
 void Tying::forget_gone(const scene::Simulation& simulation) {
@@ -122,18 +124,14 @@ void Tying::forget_gone(const scene::Simulation& simulation) {
 }
 
 std::string Tying::finish(scene::Simulation& simulation, const Place& second) {
-    const Tying begun = std::exchange(*this, Tying{});
+    const Place first = std::exchange(*this, Tying{}).first_;
     const auto name_of = [&](const Place& place) {
         return place.body ? simulation.registry.get<scene::Name>(place.entity).text
                           : std::string("world");
     };
     const scene::RopeEnds ends{
-        .names = {name_of(begun.first_), name_of(second)},
-        .anchors_world_m = {
-            *begun.first_end_m(simulation),
-            second.body ? transform_point(simulation.physics.state(second.body).world_from_body,
-                                          second.anchor_m)
-                        : second.anchor_m}};
+        .names = {name_of(first), name_of(second)},
+        .anchors_world_m = {first.world_m(simulation), second.world_m(simulation)}};
     if (ends.apart_m() < scene::RopeEnds::kShortest_m) return "rope put away: too close to tie";
     if (ends.apart_m() > scene::RopeEnds::kLongest_m)
         return fmt::format("rope put away: it is {} m long, not {:.1f} m",

@@ -13,7 +13,6 @@ namespace plumbline::game {
 
 /// Where a line of sight passes a rope.
 struct RopeInSight {
-    std::size_t rope{0};       ///< in Simulation::ropes()
     physics::JointId joint{};  ///< the nearest that still holds
     Vec3 point_m{0, 0, 0};
 };
@@ -41,6 +40,7 @@ private:
         physics::BodyId body{};
         ecs::Entity entity{};
         Vec3 anchor_m{0, 0, 0};
+        Vec3 world_m(const scene::Simulation& simulation) const;
         void serialize(Archive& archive) { archive(body, entity, anchor_m); }
     };
     static Place place_of(const scene::Simulation& simulation, const Looked& looked);

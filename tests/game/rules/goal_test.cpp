@@ -35,14 +35,7 @@ scene::GoalState state(const Playground& play) {
 
 /// Turns to a place and throws there as hard as it goes.
 void throw_at(Playground& play, const Vec3& target_m) {
-    const auto view = play.game->view(*play.simulation, 1, 0, 0);
-    const Vec3 forward = view.world_from_camera.orientation * Vec3{0, 0, -1};
-    const Vec3 way = glm::normalize(target_m - view.world_from_camera.position);
-    const auto yaw = [](const Vec3& d) { return std::atan2(-d.x, -d.z); };
-    Actions turn;
-    turn.look_yaw_rad = yaw(way) - yaw(forward);
-    turn.look_pitch_rad = std::asin(way.y) - std::asin(forward.y);
-    play.step(turn);
+    play.step(play.turn_to(target_m));
     play.step(press({Action::Throw}));
     play.run(1.1, hold({Action::Throw}));
     play.step();

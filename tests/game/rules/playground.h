@@ -91,6 +91,14 @@ public:
         const auto count = static_cast<int>(seconds / simulation->step_s() + 0.5);
         for (int i = 0; i < count; ++i) step(actions);
     }
+    /// What to do so that the view looks at a place.
+    Actions turn_to(const Vec3& point_m) const {
+        const Pose camera = game->view(*simulation, 1, 0, 0).world_from_camera;
+        const Vec3 now = camera.orientation * Vec3{0, 0, -1};
+        const Vec3 way = glm::normalize(point_m - camera.position);
+        const auto yaw = [](const Vec3& d) { return std::atan2(-d.x, -d.z); };
+        return look(yaw(way) - yaw(now), std::asin(way.y) - std::asin(now.y));
+    }
     std::vector<std::string> messages() { return game->hud(*simulation).messages; }
     std::size_t thing_count() const {
         std::size_t count = 0;

@@ -26,11 +26,7 @@ protected:
 
     /// The view turned so that it looks at a place, then the key.
     void press_at(const Vec3& point_m) {
-        const Pose camera = play_.game->view(*play_.simulation, 1, 0, 0).world_from_camera;
-        const Vec3 now = camera.orientation * Vec3{0, 0, -1};
-        const Vec3 wanted = glm::normalize(point_m - camera.position);
-        const auto yaw = [](const Vec3& v) { return std::atan2(-v.x, -v.z); };
-        play_.step(look(yaw(wanted) - yaw(now), std::asin(wanted.y) - std::asin(now.y)));
+        play_.step(play_.turn_to(point_m));
         play_.step(press({Action::Tie}));
     }
     void tie(const Vec3& from_m, const Vec3& to_m) {
