@@ -3,7 +3,7 @@
 
 #include "engine/core/process/exit_code.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library has it
 class App;
 class ParseError;
 }  // namespace CLI
