@@ -23,6 +23,7 @@ function(plumbline_no_conversion_warnings)
     foreach(target IN LISTS ARGN)
         target_compile_options(${target} PRIVATE
             -Wno-double-promotion -Wno-float-conversion -Wno-conversion
+            -Wno-psabi  # vectors of four doubles go between functions of one program only
             $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-useless-cast>)
     endforeach()
 endfunction()

@@ -96,7 +96,7 @@ void StepWorld::thin_crowds() {
         btBroadphaseProxy* second = pairs.getOverlappingPairArray()[i].m_pProxy1;
         const BodyRecord& a = record_behind(*first);
         const BodyRecord& b = record_behind(*second);
-        if ((is_active(a) || is_active(b)) && !nearest_.take(a, b))
+        if ((is_active(a) || is_active(b)) && !nearest_.takes_part(a, b))
             pairs.removeOverlappingPair(first, second, getDispatcher());
     }
     report_.cost.interventions.left_out_pairs = nearest_.left_out();

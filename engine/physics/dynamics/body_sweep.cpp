@@ -17,8 +17,6 @@ namespace {
 
 /// Of a step's displacement: below it a body was at the impact when the step began.
 constexpr Real kStuckShare = 0.02_r;
-/// Of the inner radius: bodies that come to overlap by so much cross each other.
-constexpr double kCrossingShare = 0.5;
 
 /// Where the body's path to where it is now begins.
 const Transform& start_of(const BodyRecord& record) {
@@ -39,65 +37,6 @@ BodyPath path_of(const BodyRecord& record) {
             .until = until};
 }
 
-bool moves(const BodyRecord& record) {
-    return !record.frozen && record.kind != BodyKind::Static;
-}
-
-/// How fast gyroscopic torque changes the spin.
-double gyroscopic_radps2(const BodyRecord& record) {
-    const Vec3d spin{unrotated(record.motion->spin_radps, record.motion->at.rotation)};
-    const Vec3d momentum = record.traits.inertia_kgm2 * spin;
-    return glm::length(Vec3d(record.motion->inverse_moments) * glm::cross(momentum, spin));
-}
-
-/// Up to which share of the step a screw motion tells where the body turns: no point of it leaves that by more than a
-/// share of its inner radius.
-double horizon_of(const BodyRecord& record, const Outlook& outlook) {
-    constexpr double kMostError = 0.1;
-    if (!outlook.gyroscopic_torque || record.traits.isotropic_inertia || !pushable(record))
-        return 1;
-    const double error_mps2 =
-        gyroscopic_radps2(record) * static_cast<double>(record.traits.radius_m) / 8;
-    const double most_m = kMostError * static_cast<double>(record.sweep.inner_radius_m);
-    const double left_s = (1 - outlook.now) * outlook.step_s;
-    if (!(error_mps2 * left_s * left_s > most_m)) return 1;
-    return outlook.now + std::sqrt(most_m / error_mps2) / outlook.step_s;
-}
-
-/// The turn over the whole step, at the mean spin up to a share of it.
-Vec3d predicted_turn_rad(const BodyRecord& record, const Outlook& outlook, double until) {
-    const Vec3d turn{record.motion->spin_radps * static_cast<Real>(outlook.step_s)};
-    const double duration_s = (until - outlook.now) * outlook.step_s;
-    if (!outlook.gyroscopic_torque || record.traits.isotropic_inertia || !pushable(record) ||
-        !(glm::length(turn) * (until - outlook.now) < std::numbers::pi))
-        return turn;
-    const Transform& from = record.motion->at;
-    const FreeTurn end = turned_freely({double_quat_of(from.rotation), turn / outlook.step_s},
-                                       record.traits.inertia_kgm2,
-                                       duration_s);
-    Transform to = from;
-    to.rotation = Mat3{glm::mat3_cast(end.orientation)};
-    return Vec3d(motion_between(from, to, 1).spin_radps) / (until - outlook.now);
-}
-
-/// The change of speed by the step's forces; contacts bear them where there are any.
-Vec3 gain_mps2(const BodyRecord& record) {
-    if (!pushable(record) || !record.small.awake || !flies(record)) return {0, 0, 0};
-    return record.applied.force_N * record.motion->inverse_mass;
-}
-
-/// What the body will do from now on if nothing meets it.
-BodyPath predicted_path(const BodyRecord& record, const Outlook& outlook, double until) {
-    BodyPath path{.from = record.motion->at, .since = outlook.now};
-    if (!moves(record)) return path;
-    const double left_s = (1 - outlook.now) * outlook.step_s;
-    path.displacement_m =
-        (Vec3d(record.motion->velocity_mps) + Vec3d(gain_mps2(record)) * (left_s / 2)) *
-        outlook.step_s;
-    path.turn_rad = predicted_turn_rad(record, outlook, until);
-    return path;
-}
-
 /// The pair of two bodies; null: none.
 Pair* pair_of(const BodyRecord& a, const BodyRecord& b) {
     const auto& pairs = a.small.pairs;
@@ -108,30 +47,10 @@ Pair* pair_of(const BodyRecord& a, const BodyRecord& b) {
     return place != pairs.end() && place->other == b.id ? place->pair : nullptr;
 }
 
-double crossing_of(const BodyRecord& record) {
-    const auto radius_m = static_cast<double>(record.sweep.inner_radius_m);
-    return radius_m > 0 ? kCrossingShare * radius_m : std::numeric_limits<double>::infinity();
-}
-
 /// Whether the step found contact points between the two before it moved them.
 bool are_in_contact(const BodyRecord& a, const BodyRecord& b) {
     const Pair* pair = pair_of(a, b);
     return pair != nullptr && pair->touches;
-}
-
-/// Parts meet others at seams while they touch: points tell better then.
-bool has_parts(const BodyRecord& record) {
-    return record.traits.geometry->parts.size() > 1;
-}
-
-/// Whether the balls round the two can meet in what is left of the step.
-bool may_come_near(const BodyRecord& a, const BodyRecord& b, const Outlook& outlook) {
-    const auto left_s = static_cast<Real>((1 - outlook.now) * outlook.step_s);
-    const Real closing_m = glm::distance(a.motion->velocity_mps, b.motion->velocity_mps) * left_s +
-                           glm::length(gain_mps2(a) - gain_mps2(b)) * left_s * left_s / 2;
-    const Real apart_m = glm::distance(a.motion->at.position_m, b.motion->at.position_m);
-    // With room for the distance at which they touch.
-    return apart_m <= closing_m + (a.traits.radius_m + b.traits.radius_m) * 1.1_r;
 }
 
 double turned_share(const BodyRecord& record, double angle_rad) {
@@ -140,6 +59,17 @@ double turned_share(const BodyRecord& record, double angle_rad) {
 }
 
 }  // namespace
+
+Vec3 gain_mps2(const BodyRecord& record) {
+    if (!pushable(record) || !record.small.awake || !flies(record)) return {0, 0, 0};
+    return record.applied.force_N * record.motion->inverse_mass;
+}
+
+double crossing_of(const BodyRecord& record) {
+    constexpr double kCrossingShare = 0.5;
+    const auto radius_m = static_cast<double>(record.sweep.inner_radius_m);
+    return radius_m > 0 ? kCrossingShare * radius_m : std::numeric_limits<double>::infinity();
+}
 
 bool moves_past_itself(const BodyRecord& record) {
     if (record.sweep.inner_radius_m <= 0 || record.sweep.ccd == ContinuousCollision::Off)
@@ -207,67 +137,6 @@ bool touch(const Pair& pair) {
 bool flies(const BodyRecord& record) {
     return std::ranges::none_of(record.small.pairs,
                                 [](const PairLink& link) { return touch(*link.pair); });
-}
-
-bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook) {
-    if (!other.joints.empty()) return false;
-    if (!pushable(other)) return true;
-    return outlook.now == 0 || (other.small.awake && other.small.island == record.small.island);
-}
-
-PredictedImpact predicted_impact(const StepWorld& world,
-                                 const BodyRecord& record,
-                                 const Outlook& outlook) {
-    PredictedImpact first{.share = horizon_of(record, outlook)};
-    const double until = first.share;
-    const BodyPath path = predicted_path(record, outlook, until);
-    const auto near = bodies_near(world,
-                                  swept_bounds(*record.traits.geometry, path),
-                                  {.group = record.filter.group,
-                                   .collides_with = record.filter.collides_with,
-                                   .ignored = &record});
-    for (const BodyRecord* other : near) {
-        if (!may_come_near(record, *other, outlook)) continue;
-        // What is no pair yet is for the sweep after the step.
-        Pair* pair = pair_of(record, *other);
-        if (pair == nullptr || !may_meet(record, *other, outlook)) continue;
-        const bool touches = touch(*pair);
-        if (touches && (has_parts(record) || has_parts(*other))) continue;
-        const BodyPath other_path = predicted_path(*other, outlook, until);
-        const auto impact =
-            time_of_impact({*record.traits.geometry, path, crossing_of(record)},
-                           {*other->traits.geometry, other_path, crossing_of(*other)},
-                           touches ? Known::Touching : Known::Apart,
-                           first.share);
-        if (impact) first = {impact->share, &partner(*pair, record)};
-    }
-    return first;
-}
-
-std::vector<BodyRecord*> reached_after(const BodyRecord& record,
-                                       const PredictedImpact& impact,
-                                       const Outlook& outlook) {
-    std::vector<BodyRecord*> reached;
-    const auto until_s = static_cast<Real>((impact.share - outlook.now) * outlook.step_s);
-    const auto left_s = static_cast<Real>((1 - impact.share) * outlook.step_s);
-    const Real speed_mps = glm::length(record.motion->velocity_mps);
-    const std::array<const BodyRecord*, 2> meeting{&record, impact.other};
-    for (const BodyRecord* from : meeting) {
-        const Vec3 place_m = from->motion->at.position_m + from->motion->velocity_mps * until_s;
-        for (const PairLink& link : from->small.pairs) {
-            BodyRecord& next = partner(*link.pair, *from);
-            if (!pushable(next) || &next == &record || &next == impact.other ||
-                !next.joints.empty())
-                continue;
-            const Vec3 there_m = next.motion->at.position_m + next.motion->velocity_mps * until_s;
-            const Real moves_m = (speed_mps + glm::length(next.motion->velocity_mps)) * left_s;
-            if (glm::distance(place_m, there_m) >
-                from->traits.radius_m + next.traits.radius_m + moves_m)
-                continue;
-            if (std::ranges::find(reached, &next) == reached.end()) reached.push_back(&next);
-        }
-    }
-    return reached;
 }
 
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {

@@ -4,8 +4,6 @@
 #include "engine/physics/collision/sweep/time_of_impact.h"
 #include "engine/physics/world/body_record.h"
 
-#include <vector>
-
 namespace plumbline::physics {
 
 class StepWorld;
@@ -13,6 +11,11 @@ class StepWorld;
 /// Whether the body moved or turned so far since record.before that it may have passed something unseen: by more
 /// than its inner radius.
 bool moves_past_itself(const BodyRecord& record);
+
+/// The overlap from which on something crosses the body, m; infinite: it is not swept.
+double crossing_of(const BodyRecord& record);
+/// The change of speed by the step's forces; contacts bear them where there are any.
+Vec3 gain_mps2(const BodyRecord& record);
 
 /// From when on the rest of a step is looked at, and how bodies turn in it.
 struct Outlook {
@@ -30,27 +33,6 @@ double touching_m(const BodyRecord& a, const BodyRecord& b);
 bool touch(const Pair& pair);
 /// Whether the body touches nothing.
 bool flies(const BodyRecord& record);
-
-/// Whether an impact of the two can be solved within the step: no joint holds the other, and once the step has begun
-/// they are of one island, if both can be pushed.
-bool may_meet(const BodyRecord& record, const BodyRecord& other, const Outlook& outlook);
-
-/// What a body will meet first, and when, if nobody's velocity changes before.
-struct PredictedImpact {
-    double share{1};             ///< of the step: until then it meets nothing
-    BodyRecord* other{nullptr};  ///< none: and nothing is known of what comes then
-};
-/// Of what is left of the step, or of as much of it as gyroscopic torque lets say. Left out is what the body touches
-/// with several parts and what joints hold; and once the step has begun the bodies of other islands.
-PredictedImpact predicted_impact(const StepWorld& world,
-                                 const BodyRecord& record,
-                                 const Outlook& outlook);
-
-/// What can be pushed, is a pair of one of the two that meet, and may be met in what is then left of the step, wherever the
-/// impact leads.
-std::vector<BodyRecord*> reached_after(const BodyRecord& record,
-                                       const PredictedImpact& impact,
-                                       const Outlook& outlook);
 
 /// The first impact on the body's path since record.before. Bodies of the group are passed through.
 Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);

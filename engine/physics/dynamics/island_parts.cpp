@@ -56,29 +56,25 @@ void IslandParts::solve_up_to_impacts(Island& island, IslandStep& step, double& 
     const std::size_t most = std::min(kMostImpacts, kMostBodiesTimesImpacts / island.bodies.size());
     for (std::size_t impacts = 0; impacts < most; ++impacts) {
         const Outlook outlook{now, step.step_s, step.features.gyroscopic_torque};
-        const double next = next_impact(island, outlook);
+        forecast_.begin(outlook);
+        const double next = forecast_.next_impact(island.bodies);
         drop_points_ahead(island, outlook);
         if (next >= 1) return;
         if (next - now > kLeastShare) solve_span(island, step, {now, next});
         now = next;
         carry_to(now);
         find_points(island, 1 - now);
+        for (BodyRecord* record : island.bodies) {
+            record->sweep.came_mps = record->motion->velocity_mps;
+            record->sweep.came_radps = record->motion->spin_radps;
+        }
         solver_.solve_impacts(island, step);
-        find_points(island, 1 - now);  // as the bodies move from now on
+        find_points(island, 1 - now, true);  // as the bodies move from now on
         for (BodyRecord* record : island.bodies) {
             record->sweep.since = static_cast<Real>(now);
             record->sweep.from = record->motion->at;
         }
     }
-}
-
-double IslandParts::next_impact(const Island& island, const Outlook& outlook) const {
-    double next = 1;
-    for (const BodyRecord* record : island.bodies) {
-        if (!outruns_points(*record, outlook)) continue;
-        next = std::min(next, predicted_impact(world_, *record, outlook).share);
-    }
-    return std::max(next, outlook.now);
 }
 
 void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span) {
@@ -103,13 +99,14 @@ void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span)
     }
 }
 
-void IslandParts::find_points(Island& island, double share) {
+void IslandParts::find_points(Island& island, double share, bool only_struck) {
     // Far enough ahead for what an impact within it brings near.
     const auto part = static_cast<Real>(std::min(2 * share, 1.0));
     points_.collide_again(island.bodies,
                           {.step_s = step_.step_s * part,
                            .drop_m = step_.drop_m * part * part,
                            .again = true,
+                           .only_struck = only_struck,
                            .turned_back = island.swept},
                           island.manifolds);
     found_again_ = true;

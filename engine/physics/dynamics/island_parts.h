@@ -8,7 +8,7 @@
 #pragma once
 
 #include "engine/physics/collision/pair_reach.h"
-#include "engine/physics/dynamics/body_sweep.h"
+#include "engine/physics/dynamics/impact/forecast.h"
 #include "engine/physics/dynamics/islands.h"
 
 #include <span>
@@ -35,8 +35,7 @@ bool drop_points_ahead(const BodyRecord& record, const Outlook& outlook);
 
 class IslandParts {
 public:
-    IslandParts(IslandPoints& points, IslandSolver& solver, const StepWorld& world)
-        : points_(points), solver_(solver), world_(world) {}
+    IslandParts(IslandPoints& points, IslandSolver& solver) : points_(points), solver_(solver) {}
 
     void set_step(const CollideStep& step) { step_ = step; }
     /// Whether its points have been found anew: lists of manifolds are out of date.
@@ -56,14 +55,14 @@ private:
     void list_carriers(const Island& island);
     void carry_to(double share);
     void solve_up_to_impacts(Island& island, IslandStep& step, double& now);
-    double next_impact(const Island& island, const Outlook& outlook) const;
     void solve_span(Island& island, IslandStep& step, const Span& span);
-    void find_points(Island& island, double share);
+    /// `only_struck`: of pairs whose velocities the impacts left as they were, the points stay.
+    void find_points(Island& island, double share, bool only_struck = false);
     void drop_points_ahead(Island& island, const Outlook& outlook);
 
     IslandPoints& points_;
     IslandSolver& solver_;
-    const StepWorld& world_;
+    Forecast forecast_;
     CollideStep step_{};
     IslandReport report_{};
     std::vector<Carrier> carriers_;

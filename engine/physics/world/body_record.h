@@ -83,6 +83,8 @@ struct SweptBody {
     Real until{1};           ///< the share of the latest step in which it moved
     Real since{0};           ///< the share at which its latest impact left it at `from`
     Transform from{};        ///< only where `since` is not 0
+    Vec3 came_mps{0, 0, 0};  ///< likewise: the velocity before that impact
+    Vec3 came_radps{0, 0, 0};
     std::uint32_t group{0};  ///< bodies that stop together share it; 0: stops alone
 };
 

@@ -24,6 +24,11 @@ void list_touching(std::span<BodyRecord* const> bodies, std::vector<Pair*>& touc
     }
 }
 
+bool is_struck(const BodyRecord& record) {
+    return pushable(record) && (record.motion->velocity_mps != record.sweep.came_mps ||
+                                record.motion->spin_radps != record.sweep.came_radps);
+}
+
 void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
     for (Manifold& manifold : pair.manifolds) {
         if (!manifold.points.empty()) list.push_back(&manifold);
@@ -82,7 +87,8 @@ void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
             if (!link.pair->touches &&
                 (!is_near || !nearest_.takes_part(*link.pair->a, *link.pair->b)))
                 continue;
-            find_points(*link.pair, step);
+            if (!step.only_struck || is_struck(*record) || is_struck(other))
+                find_points(*link.pair, step);
             if (link.pair->touches) list_manifolds(*link.pair, manifolds);
         }
     }
@@ -124,7 +130,7 @@ bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
         if (pair.touches) separate(pair);
         return !boxes_are_far(pair);
     }
-    if (!nearest_.take(*pair.a, *pair.b)) return false;
+    if (!nearest_.takes_part(*pair.a, *pair.b)) return false;
     collide_pair(pair, bodies);
     if (pair.touches) touching_pairs_.push_back(&pair);
     return true;

@@ -2,7 +2,6 @@
 
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
@@ -38,7 +37,7 @@ SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
       report_(parts.report),
       pairs_(parts.engine),
       sweep_(parts.joints),
-      island_parts_(pairs_, solver_, parts.engine.world()) {
+      island_parts_(pairs_, solver_) {
     take_rate();
 }
 
@@ -179,15 +178,21 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features,
 /// Which bodies may pass something unseen in this step, and what each meets first; that wakes.
 void SmallStepWorld::look_ahead(const WorldFeatures& features) {
     const Outlook outlook{0, parts_.def.step_s, features.gyroscopic_torque};
+    forecast_.begin(outlook);
+    const auto wake = [&](BodyRecord& record) {
+        if (!sleeps(record)) return;
+        bodies.wake(record);
+        forecast_.begin(outlook);
+    };
     for (BodyRecord* record : bodies.dynamic()) {
         if (!record->joints.empty() || !outruns_points(*record, outlook)) continue;
-        const PredictedImpact impact = predicted_impact(parts_.engine.world(), *record, outlook);
+        const PredictedImpact impact = forecast_.first_impact(*record);
         const bool unknown = impact.other == nullptr && impact.share < 1;
         ahead_.push_back({record, unknown ? record : impact.other});
         if (impact.other == nullptr) continue;
-        if (sleeps(*impact.other)) bodies.wake(*impact.other);
+        wake(*impact.other);
         for (BodyRecord* next : reached_after(*record, impact, outlook)) {
-            if (sleeps(*next)) bodies.wake(*next);
+            wake(*next);
             ahead_.push_back({record, next, true});
         }
     }

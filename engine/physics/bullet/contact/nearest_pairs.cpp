@@ -38,7 +38,7 @@ bool NearestPairs::needed() const {
 
 void NearestPairs::begin_step() {
     ++step_;
-    crowded_ = taken_ = 0;
+    left_out_ = 0;
 }
 
 void NearestPairs::complete(BodyRecord& body) {
@@ -49,19 +49,16 @@ void NearestPairs::complete(BodyRecord& body) {
         const auto is_for_other = [&](const BodyRecord* other) {
             if (!are_crowded(body, *other)) return false;
             if (!bodies_overlap(body, *other)) return true;
-            if (other->crowd->completed != step_) ++crowded_;
             if (rank_beside(body, *other) <= crowd.last) return false;
             // An active one adds the pair itself.
-            return is_active(*other) || rank_beside(*other, body) > crowd_of(*other).last;
+            const bool is_last = !is_active(*other) || other->crowd->completed == step_;
+            const bool is_taken = is_last && rank_beside(*other, body) <= crowd_of(*other).last;
+            if (is_last && !is_taken) ++left_out_;
+            return is_active(*other) || !is_taken;
         };
         std::erase_if(near_, is_for_other);
         body.crowd->completed = step_;
     } else {
-        const auto is_counted = [&](const BodyRecord* other) {
-            return are_crowded(body, *other) && other->crowd->completed == step_ &&
-                   bodies_overlap(body, *other);
-        };
-        crowded_ -= static_cast<std::uint64_t>(std::ranges::count_if(near_, is_counted));
         body.crowd.reset();
     }
     std::sort(near_.begin(), near_.end(), by_id);
@@ -75,13 +72,6 @@ void NearestPairs::complete(BodyRecord& body) {
 bool NearestPairs::takes_part(const BodyRecord& a, const BodyRecord& b) {
     return !are_crowded(a, b) || rank_beside(a, b) <= crowd_of(a).last ||
            rank_beside(b, a) <= crowd_of(b).last;
-}
-
-bool NearestPairs::take(const BodyRecord& a, const BodyRecord& b) {
-    if (!are_crowded(a, b)) return true;
-    const bool is_taken = takes_part(a, b);
-    if (is_taken && bodies_overlap(a, b)) ++taken_;
-    return is_taken;
 }
 
 Crowd& NearestPairs::crowd_of(const BodyRecord& body) {

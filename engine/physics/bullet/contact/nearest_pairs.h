@@ -35,10 +35,8 @@ public:
     void complete(BodyRecord& body);
     /// Whether the pair takes part. Only one of two crowded bodies may not.
     bool takes_part(const BodyRecord& a, const BodyRecord& b);
-    /// ... and counts the pair, once a step.
-    bool take(const BodyRecord& a, const BodyRecord& b);
-    /// How many pairs of bodies whose boxes overlap were not taken in this step.
-    std::uint64_t left_out() const { return crowded_ - taken_; }
+    /// How many pairs of bodies whose boxes overlap take no part in this step.
+    std::uint64_t left_out() const { return left_out_; }
 
 private:
     Crowd& crowd_of(const BodyRecord& body);
@@ -49,8 +47,7 @@ private:
     btOverlappingPairCache& pairs_;
     PairFilter& filter_;
     std::uint32_t step_{0};
-    std::uint64_t crowded_{0};  ///< pairs of two crowded bodies whose boxes overlap, in this step
-    std::uint64_t taken_{0};    ///< of these
+    std::uint64_t left_out_{0};
     std::vector<BodyRecord*> near_;
     std::vector<BodyRecord*> others_;
     std::vector<NearRank> ranks_;

@@ -153,6 +153,8 @@ double safe_share(const Moment& now, const Motions& motions, const Vec3d& normal
 struct Shares {
     double earliest{0};
     double latest{1};
+    double end{
+        1};  ///< of both paths: what touches before the latest may come to cross the other after it
 };
 
 /// Whether what came to touch on the way is inside the other at its end.
@@ -207,9 +209,9 @@ std::optional<Impact> advance(
         if (touch && distance_m <= depths.deepest_m()) return touch;
         const double goal_m = depths.goal_m(touches, touch.has_value());
         share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
-        if (share < within.latest) continue;
-        const bool stays =
-            !held && touch && ends_overlapped(at(within.latest), reach_m, crossing_m);
+        if (!touch && share >= within.latest) return std::nullopt;
+        if (share < within.end) continue;
+        const bool stays = !held && touch && ends_overlapped(at(within.end), reach_m, crossing_m);
         return stays ? touch : std::nullopt;
     }
     return touch;
@@ -226,11 +228,11 @@ bool is_on_face(const MeshGeometry& mesh, std::uint32_t triangle, const Vec3d& n
 /// Impacts of two bodies, part by part.
 class Impacts {
 public:
-    Impacts(const MovingBody& a, const MovingBody& b, Known known, double latest)
+    Impacts(const MovingBody& a, const MovingBody& b, Known known, double latest, double end)
         : a_(a),
           b_(b),
           known_(known),
-          within_{std::max(a.path.since, b.path.since), latest},
+          within_{std::max(a.path.since, b.path.since), latest, end},
           crossing_m_(std::min(a.crossing_m, b.crossing_m)) {}
 
     std::optional<Impact> find() {
@@ -251,10 +253,15 @@ private:
         first_ = Impact{impact->share, impact->normal * side};
     }
 
+    static Bounds swept(const MovingBody& body, const GeometryPart& part) {
+        const bool is_all = body.swept != nullptr && body.geometry.parts.size() == 1;
+        return is_all ? *body.swept : swept_bounds(part, body.path);
+    }
+
     void meet_parts(const GeometryPart& a) {
-        const Bounds near = swept_bounds(a, a_.path);
+        const Bounds near = swept(a_, a);
         for (const GeometryPart& b : b_.geometry.parts) {
-            if (!overlap(near, swept_bounds(b, b_.path))) continue;
+            if (!overlap(near, swept(b_, b))) continue;
             const Vec3d origin{a_.path.from.position_m};
             const Motions motions{motion_of(a, a_.path), motion_of(b, b_.path)};
             const auto at = [&](double share) {
@@ -320,11 +327,9 @@ private:
 
 }  // namespace
 
-std::optional<Impact> time_of_impact(const MovingBody& a,
-                                     const MovingBody& b,
-                                     Known known,
-                                     double latest) {
-    return Impacts(a, b, known, latest).find();
+std::optional<Impact> time_of_impact(
+    const MovingBody& a, const MovingBody& b, Known known, double latest, double end) {
+    return Impacts(a, b, known, latest, end).find();
 }
 
 Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path) {

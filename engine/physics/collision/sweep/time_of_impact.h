@@ -21,7 +21,8 @@ struct BodyPath {
 struct MovingBody {
     const BodyGeometry& geometry;
     const BodyPath& path;
-    double crossing_m{0};  ///< infinite: the other body's counts
+    double crossing_m{0};          ///< infinite: the other body's counts
+    const Bounds* swept{nullptr};  ///< all of its places; null: not known yet
 };
 
 struct Impact {
@@ -37,7 +38,7 @@ enum class Known {
     Held,      ///< contact points hold them on their whole paths
 };
 
-/// The first impact of two bodies within the step, before `latest` and after both paths began. Bodies that touch at its start, or are held by
+/// The first impact of two bodies within the step, before `latest` and after both paths, which tell as far as `end`, began. Bodies that touch at its start, or are held by
 /// contact points, are up to their contacts: they have one only where they come to cross each other, that is to overlap
 /// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper; those
 /// that are apart have one from three hundredths of that overlap on. Those that overlap by more at its start are not stopped.
@@ -45,10 +46,8 @@ enum class Known {
 /// Conservative advancement along the screw motions of both (Mirtich 1996, "Impulse-based Dynamic Simulation", 2.3):
 /// within the time in which no point can have closed the gap along its normal nothing touches. The bound is of second
 /// order in that time, so that bodies which turn about the point where they touch are followed in few steps.
-std::optional<Impact> time_of_impact(const MovingBody& a,
-                                     const MovingBody& b,
-                                     Known known,
-                                     double latest);
+std::optional<Impact> time_of_impact(
+    const MovingBody& a, const MovingBody& b, Known known, double latest, double end = 1);
 
 /// A box round all places of the geometry along its path.
 Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path);

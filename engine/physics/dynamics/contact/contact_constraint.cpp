@@ -5,29 +5,22 @@
 namespace plumbline::physics {
 namespace {
 
-/// Four points on a face are one more than it takes to hold a body: what keeps the rigid matrix
-/// from being singular, as a share of its diagonal.
-constexpr Real kRedundancy = 0.01_r;
-
 using Matrix = LaneMatrix;
 
 /// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting.
 Matrix inverse_of(Matrix m) {
     Matrix inverse{};
-    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1;
-    for (std::size_t pivot = 0; pivot < kLanes; ++pivot) {
-        const Real scale = 1 / m[pivot][pivot];
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            m[pivot][k] *= scale;
-            inverse[pivot][k] *= scale;
-        }
+    for (int i = 0; i < kLanes; ++i) inverse[static_cast<std::size_t>(i)][i] = 1;
+    for (int at = 0; at < kLanes; ++at) {
+        const auto pivot = static_cast<std::size_t>(at);
+        const Lanes scale = splat(1 / m[pivot][at]);
+        m[pivot] *= scale;
+        inverse[pivot] *= scale;
         for (std::size_t row = 0; row < kLanes; ++row) {
             if (row == pivot) continue;
-            const Real share = m[row][pivot];
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                m[row][k] -= share * m[pivot][k];
-                inverse[row][k] -= share * inverse[pivot][k];
-            }
+            const Lanes share = splat(m[row][at]);
+            m[row] -= share * m[pivot];
+            inverse[row] -= share * inverse[pivot];
         }
     }
     return inverse;
@@ -35,14 +28,17 @@ Matrix inverse_of(Matrix m) {
 
 Matrix reciprocals_of(const Matrix& diagonal) {
     Matrix inverse{};
-    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1 / diagonal[i][i];
+    for (int i = 0; i < kLanes; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        inverse[row][i] = 1 / diagonal[row][i];
+    }
     return inverse;
 }
 
 void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
     const Real load = sum_of(constraint.normal_Ns);
     Lanes weights{};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i)
+    for (int i = 0; i < constraint.count; ++i)
         weights[i] =
             load > 0 ? constraint.normal_Ns[i] / load : 1 / static_cast<Real>(constraint.count);
     const Vec3 below = constraint.normal * constraint.radius_a;
@@ -51,8 +47,8 @@ void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const 
     constraint.center_b = weighted_sum(constraint.offset_b, weights) + above;
     constraint.twist_arm_m = 0;
     for (int i = 0; i < constraint.count; ++i) {
-        constraint.twist_arm_m += weights[static_cast<std::size_t>(i)] *
-                                  glm::length(constraint.arm_a(i) - constraint.center_a);
+        constraint.twist_arm_m +=
+            weights[i] * glm::length(constraint.arm_a(i) - constraint.center_a);
     }
     Vec3 turn_a[2];
     Vec3 turn_b[2];
@@ -103,18 +99,16 @@ void prepare(ContactConstraint& constraint,
         const bool used = i < constraint.count;
         const Lanes of_a = dot_lanes(lane(constraint.angular_a, i), gain_a);
         const Lanes of_b = dot_lanes(lane(constraint.angular_b, i), gain_b);
-        for (int k = 0; k < kLanes; ++k) {
-            const auto column = static_cast<std::size_t>(k);
-            const Real coupled = linear + of_a[column] + of_b[column];
-            constraint.response[row][column] =
-                used && k < constraint.count ? coupled : Real(i == k);
-        }
+        Lanes own{};
+        own[i] = 1;
+        constraint.response[row] =
+            used ? (first_lanes(constraint.count) ? splat(linear) + of_a + of_b : own) : own;
         // share = A / (A + compliance) turns softness into the compliance of the row.
-        constraint.compliance[row] = constraint.response[row][row] * sharing * soft.decay /
-                                     std::max(soft.mass_share, 1e-6_r);
+        constraint.compliance[i] =
+            constraint.response[row][i] * sharing * soft.decay / std::max(soft.mass_share, 1e-6_r);
         soft_matrix[row] = rigid_matrix[row] = constraint.response[row];
-        soft_matrix[row][row] += constraint.compliance[row];
-        rigid_matrix[row][row] *= 1 + kRedundancy * Real(constraint.count > 1);
+        soft_matrix[row][i] += constraint.compliance[i];
+        rigid_matrix[row][i] *= 1 + kRedundancy * Real(constraint.count > 1);
     }
     constraint.soft_mass =
         constraint.count > 1 ? inverse_of(soft_matrix) : reciprocals_of(soft_matrix);

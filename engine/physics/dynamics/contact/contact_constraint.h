@@ -1,68 +1,33 @@
 // The touching points of one pair of bodies that share a normal, as the solver's rows.
 //
-// Up to four points, one to a lane: what the sweeps do four times stands in arrays of four, which
-// compilers turn into vector instructions. The points' normal impulses are solved together; their
+// Up to four points, one to a lane: what the sweeps do four times, one vector instruction does. The points' normal impulses are solved together; their
 // friction is one force and one twist at the centre of the load.
 #pragma once
 
+#include "engine/physics/dynamics/contact/lanes.h"
 #include "engine/physics/dynamics/softness.h"
 #include "engine/physics/dynamics/solver_body.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace plumbline::physics {
-
-inline constexpr int kLanes = 4;
-using Lanes = std::array<Real, kLanes>;
-using LaneVec3 = std::array<Lanes, 3>;  ///< x of all lanes, y of all lanes, z of all lanes
-
-inline Vec3 lane(const LaneVec3& vectors, int i) {
-    const auto at = static_cast<std::size_t>(i);
-    return {vectors[0][at], vectors[1][at], vectors[2][at]};
-}
-inline void set_lane(LaneVec3& vectors, int i, const Vec3& value) {
-    const auto at = static_cast<std::size_t>(i);
-    for (std::size_t axis = 0; axis < 3; ++axis) vectors[axis][at] = value[static_cast<int>(axis)];
-}
-inline Real sum_of(const Lanes& values) {
-    return (values[0] + values[1]) + (values[2] + values[3]);
-}
-
-using LaneMatrix = std::array<Lanes, kLanes>;
-
-/// sum over axes of direction[axis] * lanes[axis]
-inline Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
-    Lanes result;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        result[i] =
-            direction.x * vectors[0][i] + direction.y * vectors[1][i] + direction.z * vectors[2][i];
-    }
-    return result;
-}
-
-inline Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
-    Vec3 result;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Lanes& values = vectors[static_cast<std::size_t>(axis)];
-        result[axis] = (values[0] * weights[0] + values[1] * weights[1]) +
-                       (values[2] * weights[2] + values[3] * weights[3]);
-    }
-    return result;
-}
 
 /// 1/(kg m2): of both bodies about an axis.
 inline Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const Vec3& axis) {
     return glm::dot(axis, a.inverse_inertia * axis) + glm::dot(axis, b.inverse_inertia * axis);
 }
 
+/// Four points on a face are one more than it takes to hold a body, and two on one spot one: what keeps the matrix of rigid
+/// points from being singular, as a share of its diagonal.
+inline constexpr Real kRedundancy = 0.01_r;
+
 /// A separation no lane without a point can ever close.
 inline constexpr Real kNoPoint_m = 1e6_r;
 
 /// More than twenty fields because the sweeps go through constraints from the first byte to the last: parts apart
 /// would be cache lines apart.
-struct alignas(16) ContactConstraint {
+struct ContactConstraint {
     std::uint32_t a{kWorldBody};
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use

@@ -41,9 +41,7 @@ inline Lanes opening_speeds(const ContactConstraint& constraint,
     const Real along = glm::dot(constraint.normal, a.velocity_mps - b.velocity_mps);
     const Lanes of_a = dot_lanes(a.spin_radps, constraint.angular_a);
     const Lanes of_b = dot_lanes(b.spin_radps, constraint.angular_b);
-    Lanes speeds;
-    for (std::size_t i = 0; i < kLanes; ++i) speeds[i] = along + of_a[i] - of_b[i];
-    return speeds;
+    return splat(along) + of_a - of_b;
 }
 
 /// A new push of `gained_mps` along `normal` holds against what would have moved the body into the
@@ -94,11 +92,11 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& s
         first = end;
     }
     order_.clear();
-    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
-        if (!constraints[i].against_immovable) order_.push_back(i);
-    }
-    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
-        if (constraints[i].against_immovable) order_.push_back(i);
+    for (const bool immovable : {false, true}) {
+        for (std::uint32_t i = 0; i < constraints.size(); ++i) {
+            const ContactConstraint& of = constraints[i];
+            if (of.against_immovable == immovable) order_.push_back({i, of.a, of.b, of.jointed});
+        }
     }
 }
 
@@ -147,8 +145,8 @@ void ContactSet::prepare_pair(std::span<ContactConstraint> pair) {
 }
 
 void ContactSet::warm_start() {
-    for (const std::uint32_t index : order_) {
-        const ContactConstraint& constraint = constraints[index];
+    for (const Place& place : order_) {
+        const ContactConstraint& constraint = constraints[place.constraint];
         SolverBody& a = bodies_[constraint.a];
         SolverBody& b = bodies_[constraint.b];
         const Vec3 friction = constraint.tangent[0] * constraint.tangent_Ns[0] +
@@ -203,8 +201,7 @@ void ContactSet::update_separations(ContactConstraint& constraint) const {
         dot_lanes(turned_back_change(a.delta_rotation, constraint.normal), constraint.offset_a);
     const Lanes of_b =
         dot_lanes(turned_back_change(b.delta_rotation, constraint.normal), constraint.offset_b);
-    for (std::size_t i = 0; i < kLanes; ++i)
-        constraint.separation_m[i] = constraint.start_separation_m[i] + along + of_a[i] - of_b[i];
+    constraint.separation_m = constraint.start_separation_m + splat(along) + of_a - of_b;
     if (!constraint.rounded()) return;
     // The sphere moved over the other side: what touches it there is where the sphere is now.
     const Vec3 shift = constraint.shift_of(moved);
@@ -222,37 +219,37 @@ void ContactSet::update_separations(ContactConstraint& constraint) const {
 }
 
 /// Returns by how much it changed the speed at the contact, m/s.
-Real ContactSet::solve_with_bias(ContactConstraint& constraint) {
+Real ContactSet::solve_with_bias(ContactConstraint& constraint, Sweep which) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     const Softness& soft = constraint.against_immovable ? against_immovable_ : between_movable_;
-    update_separations(constraint);
+    // Until bodies move, separations stay; friction moves jointed ones.
+    if (which == Sweep::All || constraint.jointed) update_separations(constraint);
     Lanes wanted = opening_speeds(constraint, a, b);
-    Lanes compliance{};
-    bool all_penetrate = true;
-    const Real pull_m =
-        glm::dot(a.velocity_increment_mps - b.velocity_increment_mps, constraint.normal) * (h_ / 2);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const bool penetrates = constraint.separation_m[i] <= 0;
-        all_penetrate = all_penetrate && (penetrates || static_cast<int>(i) >= constraint.count);
-        // What bounced is on its way out already, at the speed it should have.
-        if (penetrates && constraint.restitution > 0 && wanted[i] > bounce_mps_) continue;
-        if (constraint.bounced && constraint.separation_m[i] + wanted[i] * h_ - pull_m > -kOut_m)
-            continue;
-        const Real bias = soft.bias_per_s * constraint.separation_m[i];
-        wanted[i] += penetrates ? std::max(bias, -push_mps_) : constraint.separation_m[i] / h_;
-        if (penetrates && bias < -kDepenetratedShare * push_mps_) mark_depenetrated(a, b);
-        compliance[i] = penetrates ? constraint.compliance[i] : Real{0};
+    const LaneMask used = first_lanes(constraint.count);
+    const LaneMask penetrates = constraint.separation_m <= splat(0);
+    const bool all_penetrate = !any(used & ~penetrates);
+    const Lanes bias = constraint.separation_m * splat(soft.bias_per_s);
+    const Lanes push = bias < splat(-push_mps_) ? splat(-push_mps_) : bias;
+    // What bounced is on its way out already, at the speed it should have.
+    LaneMask on_its_way = LaneMask{};
+    if (constraint.restitution > 0) on_its_way = penetrates & (wanted > splat(bounce_mps_));
+    if (constraint.bounced) {
+        const Real pull_m =
+            glm::dot(a.velocity_increment_mps - b.velocity_increment_mps, constraint.normal) *
+            (h_ / 2);
+        on_its_way |= constraint.separation_m + wanted * splat(h_) - splat(pull_m) > splat(-kOut_m);
     }
+    const LaneMask deep =
+        penetrates & ~on_its_way & (bias < splat(-kDepenetratedShare * push_mps_));
+    if (any(deep)) mark_depenetrated(a, b);
+    wanted += on_its_way ? splat(0) : (penetrates ? push : constraint.separation_m / splat(h_));
+    const Lanes compliance = (penetrates & ~on_its_way) ? constraint.compliance : splat(0);
     if (stays_separated(constraint, wanted)) return 0;
     Lanes next;
     bool solved = false;
     if (all_penetrate) {
-        Lanes error;
-        for (std::size_t i = 0; i < kLanes; ++i)
-            error[i] = static_cast<int>(i) < constraint.count
-                           ? wanted[i] + compliance[i] * constraint.normal_Ns[i]
-                           : Real{0};
+        const Lanes error = used ? wanted + compliance * constraint.normal_Ns : splat(0);
         next = direct(constraint.normal_Ns, constraint.soft_mass, error);
         solved = all_press(next, constraint.count);
     }
@@ -295,23 +292,21 @@ bool ContactSet::relax_normal(ContactConstraint& constraint, Real& changed_mps) 
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     Lanes wanted = opening_speeds(constraint, a, b);
-    bool all_penetrate = true;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const bool used = static_cast<int>(i) < constraint.count;
-        if (constraint.separation_m[i] <= 0) continue;
-        all_penetrate = all_penetrate && !used;
-        // A point that does not touch yet is left to the next sub-step, which looks ahead itself: to
-        // do it here as well would eat the speed of what is to bounce, and would let a body be
-        // pushed by a kinematic body that comes to a stop at it.
-        const bool touches = constraint.normal_Ns[i] > 0;
-        wanted[i] = touches ? wanted[i] + constraint.separation_m[i] / h_ : kNoPoint_m;
-    }
+    const LaneMask used = first_lanes(constraint.count);
+    const LaneMask penetrates = constraint.separation_m <= splat(0);
+    const bool all_penetrate = !any(used & ~penetrates);
+    // A point that does not touch yet is left to the next sub-step, which looks ahead itself: to
+    // do it here as well would eat the speed of what is to bounce, and would let a body be
+    // pushed by a kinematic body that comes to a stop at it.
+    const LaneMask touches = constraint.normal_Ns > splat(0);
+    wanted = penetrates
+                 ? wanted
+                 : (touches ? wanted + constraint.separation_m / splat(h_) : splat(kNoPoint_m));
     if (stays_separated(constraint, wanted) && !constraint.holds_friction()) return false;
     Lanes next;
     bool solved = false;
     if (all_penetrate) {
-        for (std::size_t i = static_cast<std::size_t>(constraint.count); i < kLanes; ++i)
-            wanted[i] = 0;
+        wanted = used ? wanted : splat(0);
         next = direct(constraint.normal_Ns, constraint.rigid_mass, wanted);
         solved = all_press(next, constraint.count);
     }
@@ -337,25 +332,25 @@ template <typename Solve>
 bool ContactSet::sweep(Sweep which, Solve solve) {
     bool any = false;
     std::swap(was_restless_, is_restless_);
-    is_restless_.assign(bodies_.size(), false);
-    for (const std::uint32_t index : order_) {
-        ContactConstraint& constraint = constraints[index];
-        if (which == Sweep::Restless && !constraint.jointed && !was_restless_[constraint.a] &&
-            !was_restless_[constraint.b])
+    is_restless_.assign(bodies_.size(), 0);
+    for (const Place& place : order_) {
+        if (which == Sweep::Restless && !place.jointed && was_restless_[place.a] == 0 &&
+            was_restless_[place.b] == 0)
             continue;
+        ContactConstraint& constraint = constraints[place.constraint];
         if (!is_much(solve(constraint), constraint)) continue;
         any = true;
-        for (const std::uint32_t body : {constraint.a, constraint.b})
-            is_restless_[body] = bodies_[body].movable();
+        for (const std::uint32_t body : {place.a, place.b})
+            is_restless_[body] = bodies_[body].movable() ? 1 : 0;
     }
     return any;
 }
 
 bool ContactSet::sweep_with_bias(Sweep which) {
     belt_ahead_s_ = h_ / 2;
-    return sweep(which, [this](ContactConstraint& constraint) {
+    return sweep(which, [this, which](ContactConstraint& constraint) {
         row_solves += static_cast<std::uint64_t>(constraint.count);
-        return solve_with_bias(constraint);
+        return solve_with_bias(constraint, which);
     });
 }
 
@@ -369,7 +364,7 @@ bool ContactSet::relax(Sweep which) {
 
 void ContactSet::end_substep() {
     for (ContactConstraint& constraint : constraints) {
-        for (std::size_t i = 0; i < kLanes; ++i) constraint.total_Ns[i] += constraint.normal_Ns[i];
+        constraint.total_Ns += constraint.normal_Ns;
         constraint.bounced = false;
         // Who is pressed by what was pushed out moves as fast.
         SolverBody& a = bodies_[constraint.a];

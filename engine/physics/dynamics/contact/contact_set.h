@@ -77,17 +77,26 @@ private:
     bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
     template <typename Solve>
     bool sweep(Sweep which, Solve solve);
-    Real solve_with_bias(ContactConstraint& constraint);
+    Real solve_with_bias(ContactConstraint& constraint, Sweep which);
     Real relax(ContactConstraint& constraint);
     bool relax_normal(ContactConstraint& constraint, Real& changed_mps);
     FrictionChange solve_friction(ContactConstraint& constraint);
     bool resist_rolling(ContactConstraint& constraint);
 
     std::span<SolverBody> bodies_;
-    std::vector<std::uint32_t> order_;   ///< of constraints in a sweep
+    /// A constraint and what tells whether a sweep passes it by.
+    struct Place {
+        std::uint32_t constraint;
+        std::uint32_t a;
+        std::uint32_t b;
+        bool jointed;
+    };
+
+    std::vector<Place> order_;           ///< of constraints in a sweep
     std::vector<SymmetricMat3> crowds_;  ///< of each body
-    std::vector<bool> is_restless_;      ///< bodies whose velocity the latest sweep changed by much
-    std::vector<bool> was_restless_;
+    std::vector<std::uint8_t>
+        is_restless_;  ///< 1: bodies whose velocity the latest sweep changed by much
+    std::vector<std::uint8_t> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
     Real belt_ahead_s_{

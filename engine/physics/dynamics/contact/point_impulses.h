@@ -10,62 +10,77 @@ namespace plumbline::physics {
 
 /// The impulses that take `error` (m/s, what the points' closing speeds lack) away: `before` minus
 /// `mass` times it. Negative where a point would have to pull.
-inline Lanes direct(const Lanes& before, const LaneMatrix& mass, const Lanes& error) {
-    Lanes change{};
-    for (std::size_t k = 0; k < kLanes; ++k) {
-        for (std::size_t i = 0; i < kLanes; ++i) change[i] += mass[k][i] * error[k];  // symmetric
-    }
-    Lanes next;
-    for (std::size_t i = 0; i < kLanes; ++i) next[i] = before[i] - change[i];
-    return next;
+inline Lanes direct(Lanes before, const LaneMatrix& mass, Lanes error) {
+    // The matrix is symmetric.
+    Lanes change = mass[0] * splat(error[0]);
+    change += mass[1] * splat(error[1]);
+    change += mass[2] * splat(error[2]);
+    change += mass[3] * splat(error[3]);
+    return before - change;
 }
 
-/// The impulses that make A*change + wanted + compliance*impulse = 0 where they press, by
+/// The least impulses of two points that leave neither closing: both press, one of them, or none (a linear complementarity
+/// problem; its matrix is positive definite, so that one of the four fits). `speeds`: without any impulse.
+inline Lanes of_two_points(Lanes diagonal, Real coupled, Lanes speeds) {
+    const Lanes alone = -speeds / diagonal;
+    const Real determinant = diagonal[0] * diagonal[1] - coupled * coupled;
+    const Real first = coupled * speeds[1] - diagonal[1] * speeds[0];
+    const Real second = coupled * speeds[0] - diagonal[0] * speeds[1];
+    if (first >= 0 && second >= 0 && determinant > 0)
+        return Lanes{first / determinant, second / determinant, 0, 0};
+    if (alone[0] > 0 && coupled * alone[0] + speeds[1] >= 0) return Lanes{alone[0], 0, 0, 0};
+    if (alone[1] > 0 && coupled * alone[1] + speeds[0] >= 0) return Lanes{0, alone[1], 0, 0};
+    return splat(0);
+}
+
+/// The impulses that make A*change + wanted + compliance*impulse = 0 where they press: of two points exactly, of more by
 /// projected Gauss-Seidel within the constraint. A point's lane is a constant, so that all stays in
 /// registers: of a large pile's step this is the dearest loop.
-inline Lanes projected(const ContactConstraint& constraint,
-                       const Lanes& wanted,
-                       const Lanes& compliance) {
+inline Lanes projected(const ContactConstraint& constraint, Lanes wanted, Lanes compliance) {
     constexpr int kSweeps = 4;
-    Lanes next = constraint.normal_Ns;
+    const Lanes before = constraint.normal_Ns;
+    const LaneMatrix& response = constraint.response;
     if (constraint.count == 1) {
-        const Real error = wanted[0] + compliance[0] * next[0];
-        next[0] = std::max(next[0] - error / (constraint.response[0][0] + compliance[0]), Real{0});
-        return next;
+        const Real error = wanted[0] + compliance[0] * before[0];
+        return Lanes{
+            std::max(before[0] - error / (response[0][0] + compliance[0]), Real{0}), 0, 0, 0};
     }
+    const Lanes own = Lanes{response[0][0], response[1][1], response[2][2], response[3][3]};
+    if (constraint.count == 2) {
+        const Lanes firm = own * splat(1 + kRedundancy);
+        const Real coupled = response[0][1];
+        const Lanes speeds =
+            wanted - firm * before - splat(coupled) * Lanes{before[1], before[0], 0, 0};
+        return of_two_points(firm + compliance, coupled, speeds);
+    }
+    const Lanes diagonal = own + compliance;
+    const Lanes share = splat(1) / diagonal;
     Lanes residual = wanted;
-    Lanes diagonal;
-    for (std::size_t i = 0; i < kLanes; ++i)
-        diagonal[i] = constraint.response[i][i] + compliance[i];
-    const auto solve = [&](std::size_t i) {
-        const Real error = residual[i] + compliance[i] * next[i];
-        const Real better = next[i] - error / diagonal[i];
-        const Real pressing = better > 0 ? better : Real{0};
-        const Real change = pressing - next[i];
-        next[i] = pressing;
-        for (std::size_t k = 0; k < kLanes; ++k) residual[k] += constraint.response[i][k] * change;
+    std::array<Real, kLanes> next{before[0], before[1], before[2], before[3]};
+    const auto solve = [&](int i) {
+        const auto row = static_cast<std::size_t>(i);
+        const Real error = residual[i] + compliance[i] * next[row];
+        const Real pressing = std::max(next[row] - error * share[i], Real{0});
+        residual += response[row] * splat(pressing - next[row]);
+        next[row] = pressing;
     };
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         solve(0);
         solve(1);
         solve(2);
-        solve(3);
+        if (constraint.count == kLanes) solve(3);
     }
-    return next;
+    return Lanes{next[0], next[1], next[2], next[3]};
 }
 
 /// Nothing presses and nothing closes fast enough to press.
-inline bool stays_separated(const ContactConstraint& constraint, const Lanes& wanted) {
-    bool apart = true;
-    for (std::size_t i = 0; i < kLanes; ++i)
-        apart = apart && wanted[i] >= 0 && constraint.normal_Ns[i] == 0;
-    return apart;
+inline bool stays_separated(const ContactConstraint& constraint, Lanes wanted) {
+    return !any((wanted < splat(0)) | (constraint.normal_Ns != splat(0)));
 }
 
-inline bool all_press(const Lanes& impulses, int count) {
-    Real least = impulses[0];
-    for (int i = 1; i < count; ++i) least = std::min(least, impulses[static_cast<std::size_t>(i)]);
-    return least >= 0;
+/// Of the first `count` impulses.
+inline bool all_press(Lanes impulses, int count) {
+    return !any((impulses < splat(0)) & first_lanes(count));
 }
 
 /// What new normal impulses change of two bodies.
@@ -81,12 +96,11 @@ struct NormalChange {
 inline NormalChange apply_normal(ContactConstraint& constraint,
                                  SolverBody& a,
                                  SolverBody& b,
-                                 const Lanes& next) {
-    Lanes change;
-    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - constraint.normal_Ns[i];
+                                 Lanes next) {
+    const Lanes change = next - constraint.normal_Ns;
     constraint.normal_Ns = next;
-    NormalChange of{.gained_Ns = sum_of(change)};
-    for (const Real each : change) of.changed_Ns += std::abs(each);
+    NormalChange of{.gained_Ns = sum_of(change),
+                    .changed_Ns = sum_of(change < splat(0) ? -change : change)};
     const Vec3 along = constraint.normal * of.gained_Ns;
     of.velocity_a = along * a.inverse_mass;
     of.velocity_b = -along * b.inverse_mass;

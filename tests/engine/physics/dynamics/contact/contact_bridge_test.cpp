@@ -32,7 +32,7 @@ void step(ContactBridge& bridge, Manifold& manifold, Real h, Real normal_Ns) {
     bridge.begin_island();
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, h, contacts);
     for (ContactConstraint& constraint : contacts.constraints) {
-        constraint.normal_Ns = {};
+        constraint.normal_Ns = Lanes{};
         for (int i = 0; i < constraint.count; ++i)
             constraint.normal_Ns[static_cast<std::size_t>(i)] = normal_Ns;
         constraint.total_Ns = constraint.normal_Ns;

@@ -69,7 +69,7 @@ TEST(ContactConstraint, FrictionStandsAtTheCentreOfTheLoad) {
     EXPECT_NEAR(static_cast<double>(on.contact.slip_response[0]), 0.5 + 0.25 * 3, 1e-6);
     EXPECT_NEAR(static_cast<double>(on.contact.slip_coupling), 0, 1e-6);
     EXPECT_NEAR(static_cast<double>(on.contact.twist_mass), 1.0 / 3, 1e-6);
-    on.contact.normal_Ns = {3, 1, 0, 0};
+    on.contact.normal_Ns = Lanes{3, 1, 0, 0};
     on.prepare_rigid();
     EXPECT_NEAR(
         static_cast<double>(glm::length(on.contact.center_a - Vec3{-0.25_r, -0.5_r, -0.5_r})),

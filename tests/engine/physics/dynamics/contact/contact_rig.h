@@ -162,8 +162,8 @@ private:
         ContactConstraint& constraint = loop.contacts.constraints[at];
         const SolverBody& a = loop.bodies[constraint.a];
         const Outline& shape = outlines_[constraint.a];
-        constraint.total_Ns = {};
-        constraint.start_separation_m.fill(kNoPoint_m);
+        constraint.total_Ns = Lanes{};
+        constraint.start_separation_m = splat(kNoPoint_m);
         if (constraint.b != kWorldBody) {
             const Vec3d apart = a.start_position_m - loop.bodies[constraint.b].start_position_m;
             constraint.radius_a = real(shape.radius_m);
