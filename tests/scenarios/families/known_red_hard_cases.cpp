@@ -14,7 +14,7 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      "16 sub-steps at most, at twice the length"},
     {"Shipped/GalleryCases.HoldTheirOwnRules/H17At30Hz",
      "H17 30 Hz: penetration_m at most 0.005",
-     1.57,
+     1.58,
      1.64,
      "the last dominoes as they land, in steps of twice the length"},
     {"Shipped/GalleryCases.HoldTheirOwnRules/H17At60Hz",
