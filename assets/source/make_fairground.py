@@ -12,6 +12,7 @@ from garden_things import at, turned
 from scene_writer import array, ball, box, compound, entity, heading, out, prefab, prism, put, vec
 
 RIDE, GALLERY = (-3.6, 0, -4.0), (6.3, 0, -2.2)
+BALLOON = 0.28
 WARM, ROSE, BLUE = (1, 0.62, 0.28), (1, 0.3, 0.22), (0.35, 0.5, 1)
 
 put("""# The fairground: a swing ride, a shooting gallery, tents and strings of lamps, at night.
@@ -88,6 +89,9 @@ for name, color, more in [
     ("pennant", (0.6, 0.35, 0.05), "two_sided = true\nroughness = 0.8\nsurface = \"soft\""),
     ("boards", (0.3, 0.17, 0.1), "base_color_map = \"textures/wood_base.jpg\"\nnormal_map = \"textures/wood_normal.jpg\"\nroughness = 0.8\nsurface = \"wood\""),
     ("lit_glass", (0.6, 0.4, 0.2), "emissive = [0.75, 0.42, 0.14]\nsurface = \"glass\""),
+    ("balloon_red", (0.62, 0.03, 0.04), "roughness = 0.25\nsurface = \"rubber\""),
+    ("balloon_yellow", (0.75, 0.45, 0.04), "roughness = 0.25\nsurface = \"rubber\""),
+    ("balloon_blue", (0.04, 0.16, 0.55), "roughness = 0.25\nsurface = \"rubber\""),
     ("bulb_warm", (0, 0, 0), "emissive = [5, 2.5, 0.7]\nsurface = \"glass\""),
     ("bulb_red", (0, 0, 0), "emissive = [5, 0.35, 0.2]\nsurface = \"glass\""),
     ("bulb_green", (0, 0, 0), "emissive = [0.4, 3.4, 0.6]\nsurface = \"glass\""),
@@ -239,5 +243,15 @@ for i, (kind, x, y, z, turn) in enumerate([("crate", 9.6, 0.432, -5.6, 10), ("cr
     entity(f"{kind}_{i + 1}", (x, y, z), prefab=f'"{kind}"', rotation_deg=f"[0, {turn}, 0]")
 for i in range(4):
     entity(f"ball_{i + 1}", at(GALLERY, 0, (-1.2 + 0.8 * i, fair.COUNTER_Y + 0.12, fair.COUNTER_Z)), prefab='"ball"')
+
+heading("balloons: 110 g of air lift 55 g of rubber and helium, and a cord; each hangs from a weight that one can carry, or cut")
+for i, (color, x, z, length) in enumerate([("red", -2.9, 10.4, 1.7), ("yellow", -2.2, 10.0, 1.45), ("blue", -1.6, 10.6, 1.9)]):
+    top = 0.08 + length + BALLOON
+    entity(f"balloon_{color}", (x, top, z), label=f'"{color} balloon"', primitive=f"{{ sphere = {BALLOON} }}", material=f'"balloon_{color}"',
+           body=["mass_kg = 0.055", "restitution = 0.6", "drag = { buoyant = true }"])
+    entity(f"weight_{color}", (x, 0.05, z), label='"weight of a balloon"', primitive="{ cylinder = [0.05, 0.05] }", material='"gold"', body=["mass_kg = 0.4"])
+    put(f'\n[[rope]]\nname = "cord_{color}"\na = "balloon_{color}"\nb = "weight_{color}"')
+    put(f"anchor_a_m = {vec(x, top - BALLOON, z)}\nanchor_b_m = {vec(x, 0.075, z)}")
+    put('pieces = 10\nmass_kg = 0.012\nradius_m = 0.004\nmaterial = "rope"')
 
 print("\n".join(out))

@@ -16,8 +16,6 @@ using physics::BodyId;
 using physics::BodyInField;
 using physics::Submersion;
 
-/// Of the mass of the displaced water: what moves along with a ball (Lamb, Hydrodynamics, 92); taken for all shapes.
-constexpr double kAddedShare = 0.5;
 /// Of the mass: as much more moves along before momentum is handed on to it again. What bobs is left in peace.
 constexpr double kReckoned = 1e-3;
 /// Of a body's radius: waves shorter than some five times that pass it by, and it makes none.

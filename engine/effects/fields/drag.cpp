@@ -1,4 +1,4 @@
-// Air that bodies feel: drag in still air, wind and wind zones, and the lift of what spins.
+// Air that bodies feel: drag in still air, wind and wind zones, the lift of what spins and of what is lighter than air.
 #include "engine/core/io/archive.h"
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
@@ -28,7 +28,8 @@ struct InAir {
         1};  ///< share of the wind that reaches it; the rest is kept off by things upwind
     Vec3d resting_N{0, 0, 0};  ///< of the air when it came to rest
     bool rested{false};
-    bool has_parts{false};  ///< its silhouette is worth keeping
+    bool has_parts{false};   ///< its silhouette is worth keeping
+    double displaced_kg{0};  ///< of air, where that carries it
     SilhouetteMap silhouettes{};
 };
 
@@ -41,6 +42,20 @@ public:
     }
 
     int substeps() const override { return field_substeps(fidelity_); }
+    double added_mass_kg(physics::BodyId body) const override {
+        const auto* entry = receivers_.find(body);
+        return entry != nullptr ? kAddedShare * entry->own.displaced_kg : 0;
+    }
+    /// What is lighter than air falls upwards.
+    double energy_J() const override {
+        double sum = 0;
+        for (const auto& [body, own] : receivers_.all()) {
+            if (own.displaced_kg == 0) continue;
+            const Vec3d center(simulation_.physics.state(body).center_of_mass_world());
+            sum += own.displaced_kg * glm::dot(gravity_mps2(), center);
+        }
+        return sum;
+    }
     void serialize(Archive& archive) override {
         for (auto& [body, own] : receivers_.all()) archive(own.resting_N, own.rested);
     }
@@ -55,8 +70,18 @@ private:
                 receivers_.add(body,
                                {.drag = drag,
                                 .mass_kg = mass_kg,
-                                .has_parts = physics::part_count(simulation_.physics, body) > 1});
+                                .has_parts = physics::part_count(simulation_.physics, body) > 1,
+                                .displaced_kg = drag.buoyant ? displaced_kg(body) : 0});
             });
+    }
+
+    Vec3d gravity_mps2() const { return Vec3d(simulation_.physics.def().gravity_mps2); }
+
+    /// Its whole volume in air.
+    double displaced_kg(physics::BodyId body) const {
+        const double volume_m3 =
+            physics::submersion(simulation_.physics, body, {}, 0, {0, 1, 0}).whole_m3;
+        return volume_m3 * static_cast<double>(simulation_.description().forces.air_density_kgpm3);
     }
 
     void prepare() override {
@@ -89,8 +114,10 @@ private:
     /// The velocity against the air, after h, is shortened by 1 / (1 + k v h): the exact solution of v' = -k v2. Lift turns it
     /// about the spin by an angle. Both commute.
     void push_one(BodyInField& body, InAir& own, const physics::FieldTime& time) const {
+        const Vec3d lift_Ns = gravity_mps2() * (-own.displaced_kg * time.h_s);
+        body.impulse_Ns += lift_Ns;
         const Vec3d air_mps = air_.at(body.center_m, time_s_ + time.at_s, own.in_wind);
-        const Vec3d before = body.velocity_mps - air_mps;
+        const Vec3d before = body.velocity_mps + lift_Ns / (2 * body.mass_kg) - air_mps;
         const double speed = glm::length(before);
         if (!(speed > 0) || !std::isfinite(speed)) return;
         const Vec3d direction_mass = glm::conjugate(body.world_from_mass) * (before / speed);

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "engine/physics/collision/pair_reach.h"
-#include "engine/physics/dynamics/impact/forecast.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/dynamics/islands.h"
 
 #include <span>

@@ -2,6 +2,7 @@
 
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/dynamics/field_forces.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
@@ -178,15 +179,16 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features,
 /// Which bodies may pass something unseen in this step, and what each meets first; that wakes.
 void SmallStepWorld::look_ahead(const WorldFeatures& features) {
     const Outlook outlook{0, parts_.def.step_s, features.gyroscopic_torque};
-    forecast_.begin(outlook);
+    Forecast forecast;
+    forecast.begin(outlook);
     const auto wake = [&](BodyRecord& record) {
         if (!sleeps(record)) return;
         bodies.wake(record);
-        forecast_.begin(outlook);
+        forecast.begin(outlook);
     };
     for (BodyRecord* record : bodies.dynamic()) {
         if (!record->joints.empty() || !outruns_points(*record, outlook)) continue;
-        const PredictedImpact impact = forecast_.first_impact(*record);
+        const PredictedImpact impact = forecast.first_impact(*record);
         const bool unknown = impact.other == nullptr && impact.share < 1;
         ahead_.push_back({record, unknown ? record : impact.other});
         if (impact.other == nullptr) continue;

@@ -9,7 +9,6 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"
-#include "engine/physics/dynamics/impact/forecast.h"
 #include "engine/physics/dynamics/island_parts.h"
 #include "engine/physics/dynamics/islands.h"
 #include "engine/physics/world/awake_bodies.h"
@@ -64,7 +63,6 @@ private:
     IslandBuilder builder_;
     IslandSolver solver_;
     IslandParts island_parts_;
-    Forecast forecast_;
     LapTimer laps_;
     double gravity_mps2_{0};
     Real step_s_{0};

@@ -24,8 +24,9 @@ namespace plumbline::scene {
 /// `drag` of a body: how air pushes it. Also a component.
 struct Drag {
     Real coefficient{0.47_r};
-    Real area_m2{0};    ///< 0: the shape's silhouette along the stream
-    Real spin_lift{0};  ///< k of the Magnus force 0.5 rho k area r (w x v), r = sqrt(area / pi)
+    Real area_m2{0};      ///< 0: the shape's silhouette along the stream
+    Real spin_lift{0};    ///< k of the Magnus force 0.5 rho k area r (w x v), r = sqrt(area / pi)
+    bool buoyant{false};  ///< the air that it displaces carries it: a balloon
 };
 
 /// `magnet` of a body: a dipole at the centre of mass. Also a component.

@@ -111,13 +111,40 @@ FieldOutcome pushes_by_silhouette(scene::Fidelity fidelity) {
     return {error, cpu_ms_per_s};
 }
 
-constexpr std::array<FieldReference, 6> kAirReferences{
+/// Filled with helium: (rho V - m) g lifts the ball and half as much air as it displaces.
+FieldOutcome rises_as_tanh(scene::Fidelity fidelity) {
+    constexpr double kMass_kg = 1.5e-3;
+    scene::SceneDescription scene = ball_in_air(fidelity, kFieldGravity_mps2);
+    scene.entities.front().body->mass_kg = static_cast<Real>(kMass_kg);
+    scene.entities.front().body->drag->buoyant = true;
+    FieldWorld world(scene);
+    const double displaced_kg =
+        kRho_kgpm3 * 4.0 / 3 * kPi_rad * kFallingRadius_m * kFallingRadius_m * kFallingRadius_m;
+    const double lift_N = (displaced_kg - kMass_kg) * kFieldGravity_mps2;
+    const double terminal_mps = std::sqrt(lift_N / (0.5 * kRho_kgpm3 * kCoefficient * kArea_m2));
+    const double gain_mps2 = lift_N / (kMass_kg + displaced_kg / 2);
+    double error = 0;
+    while (world.time_s() < 4) {
+        world.step();
+        const double exact_mps =
+            terminal_mps * std::tanh(gain_mps2 * world.time_s() / terminal_mps);
+        error = std::max(error, std::abs(world.velocity_mps("ball").y / exact_mps - 1));
+    }
+    return {error, world.cpu_ms_per_s()};
+}
+
+constexpr std::array<FieldReference, 7> kAirReferences{
     {{"drag", "a fall", "v = vt tanh(g t / vt)", kByFidelity, &falls_as_tanh},
      {"drag", "terminal speed", "sqrt(2 m g / (rho Cd A))", kByFidelity, &reaches_terminal_speed},
      {"drag", "wind from rest", "w (1 - 1 / (1 + k w t))", kByFidelity, &is_carried_by_wind},
      {"drag", "1000 m/s on a gram", "w (1 - 1 / (1 + k w t))", kByFidelity, &survives_a_storm},
      {"drag", "lift of a spin", "a circle in 2 pi m / (S w)", kByFidelity, &lift_leads_round},
-     {"drag", "a plate's silhouette", "A sin(angle)", kByFidelity, &pushes_by_silhouette}}};
+     {"drag", "a plate's silhouette", "A sin(angle)", kByFidelity, &pushes_by_silhouette},
+     {"drag",
+      "a balloon's rise",
+      "vt tanh(F t / ((m + rho V / 2) vt))",
+      kByFidelity,
+      &rises_as_tanh}}};
 
 }  // namespace
 

@@ -20,6 +20,7 @@ void read_drag(TableReader& table, Drag& drag) {
     table.read("coefficient", drag.coefficient, {0, 100, "a coefficient from 0 to 100"});
     table.read("area_m2", drag.area_m2, {1e-8, 1e6, "an area from 1e-8 to 1000000 m2"});
     table.read("spin_lift", drag.spin_lift, {-100, 100, "a coefficient from -100 to 100"});
+    table.read("buoyant", drag.buoyant);
 }
 
 void read_magnet(TableReader& table, Magnet& magnet) {
