@@ -160,7 +160,7 @@ std::string man_options(const CLI::App& command) {
 }  // namespace
 
 std::string man_page(const CLI::App& app, const std::string& version) {
-    const std::string name = app.get_name();
+    const std::string& name = app.get_name();
     std::string upper = name;
     for (char& letter : upper) letter = to_upper(letter);
     // "Plumbline: a playground" is how --help begins; a page's first line names the program anyway.
@@ -188,7 +188,7 @@ std::string man_page(const CLI::App& app, const std::string& version) {
 }
 
 std::string bash_completion(const CLI::App& app) {
-    const std::string name = app.get_name();
+    const std::string& name = app.get_name();
     const std::string function = "_" + replaced(name, "-", "_");
     const std::vector<std::string> commands = command_names(app);
     std::string script = fmt::format(
