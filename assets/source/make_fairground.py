@@ -12,7 +12,7 @@ from garden_things import at, turned
 from scene_writer import array, ball, box, compound, entity, heading, out, prefab, prism, put, vec
 
 RIDE, GALLERY = (-3.6, 0, -4.0), (6.3, 0, -2.2)
-BALLOON = 0.28
+BALLOON = 0.28  # radius, m
 WARM, ROSE, BLUE = (1, 0.62, 0.28), (1, 0.3, 0.22), (0.35, 0.5, 1)
 
 put("""# The fairground: a swing ride, a shooting gallery, tents and strings of lamps, at night.
@@ -245,7 +245,7 @@ for i in range(4):
     entity(f"ball_{i + 1}", at(GALLERY, 0, (-1.2 + 0.8 * i, fair.COUNTER_Y + 0.12, fair.COUNTER_Z)), prefab='"ball"')
 
 heading("balloons: 110 g of air lift 55 g of rubber and helium, and a cord; each hangs from a weight that one can carry, or cut")
-for i, (color, x, z, length) in enumerate([("red", -2.9, 10.4, 1.7), ("yellow", -2.2, 10.0, 1.45), ("blue", -1.6, 10.6, 1.9)]):
+for color, x, z, length in [("red", -2.9, 10.4, 1.7), ("yellow", -2.2, 10.0, 1.45), ("blue", -1.6, 10.6, 1.9)]:
     top = 0.08 + length + BALLOON
     entity(f"balloon_{color}", (x, top, z), label=f'"{color} balloon"', primitive=f"{{ sphere = {BALLOON} }}", material=f'"balloon_{color}"',
            body=["mass_kg = 0.055", "restitution = 0.6", "drag = { buoyant = true }"])

@@ -48,7 +48,7 @@ struct PredictedImpact {
     BodyRecord* other{nullptr};  ///< none: and nothing is known of what comes then
 };
 
-/// Each body's path is worked out once. Impacts are of what is left of the step, or of as much of it as gyroscopic torque lets
+/// What bodies do in the rest of a step if nothing meets them, and what they meet first. Each body's path is worked out once. Impacts are of what is left of the step, or of as much of it as gyroscopic torque lets
 /// say. Left out is what is no pair, what a body touches with several parts and what joints hold; and once the step has
 /// begun the bodies of other islands. Bodies must not move, nor gain or lose points, while a forecast is in use.
 class Forecast {
@@ -65,8 +65,8 @@ private:
         Vec3 gain_mps2{0, 0, 0};
         BodyPath path;
         Bounds swept;
-        double until{0};  ///< up to which share the path tells; 0: it is not known yet
-        bool is_compared{false};
+        double until{0};          ///< up to which share the path tells; 0: it is not known yet
+        bool is_compared{false};  ///< next_impact() has looked at all of its pairs
     };
 
     Course& course_of(const BodyRecord& record);
