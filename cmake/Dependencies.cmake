@@ -42,6 +42,9 @@ foreach(suffix "" "-float64")
 endforeach()
 target_compile_definitions(bullet-float64 INTERFACE BT_USE_DOUBLE_PRECISION)
 
+# Another engine that scenes are compared with; without it `study --engines` has the others.
+pkg_check_modules(ODE IMPORTED_TARGET ode)
+
 if(PLUMBLINE_TESTS)
     find_package(GTest REQUIRED)
     find_package(benchmark REQUIRED)

@@ -186,6 +186,14 @@ function peersOf(subject, data) {
   const key = each => `${each.engine} ${each.substeps}`;
   const fallen = new Set(own.filter(each => each.metric === "stands" && Number(each.value) === 0).map(key));
   return own.filter(each => each.metric === same.figure).map(each => ({
-    engine: each.engine, hz: 60 * Number(each.substeps), cost: Number(each.cpu_ms_per_frame),
+    engine: each.engine, text: `${60 * Number(each.substeps)} Hz`, cost: Number(each.cpu_ms_per_frame),
     error: Math.max(Math.abs(Number(each.value)) * Number(same.factor), fallen.has(key(each)) ? 1 : 0) }));
 }
+
+/** Settings of other engines that were measured with the subject. */
+function enginesOf(subject, metric) {
+  return (subject.engines ?? []).filter(point => point.status === "done").map(point => ({
+    engine: engineName(point), text: point.settings_text, cost: point.cost.ms_per_s_min / FRAMES_PER_S, error: errorOf(point, metric) }));
+}
+
+const engineName = point => `${point.title} ${point.version}${point.webassembly ? " (wasm)" : ""}`;

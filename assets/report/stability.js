@@ -4,7 +4,8 @@
 const STABILITY_WORDS = `<p class="soft">Each row is a scene in which physics engines are known to fall over, fly apart, tunnel or creep. Each scene states its
 rules as numbers. A cell is one solver: <b>pass</b> when every rule held to the end, <b>FAIL</b> when one did not. Below the verdict: how far the worst rule
 stayed inside its limit or went outside, as a share of that limit; the CPU time for a simulated second; and what the solver did beside solving: energy that its
-guard took out, bodies that it slowed. A case from which the guard took more than 1 % of its energy fails. The images show where small_step ends.</p>\n`;
+guard took out, bodies that it slowed. A case from which the guard took more than 1 % of its energy fails. The images show where small_step ends.
+Other engines run with their own defaults; what they lack, and rules that watch forces, are not run.</p>\n`;
 
 function marginText(margin) {
   if (typeof margin !== "number") return "gone";
@@ -35,6 +36,7 @@ function caseCell(run) {
   const result = run?.result;
   if (!result) return `<td class="none">not run</td>`;
   const lines = [];
+  if (run.lacks) return `<td class="none">not run<br/>${esc(result.why)}</td>`;
   if (!result.ran) {
     lines.push(`<b>${verdictWord(result)}</b>`, esc(result.why));
   } else {
@@ -69,7 +71,7 @@ function columnsOf(runs) {
 function stabilityHtml(data) {
   const page = data.findings;
   const columns = columnsOf(page.runs).map(column => {
-    const ran = page.runs.filter(run => run.solver === column.solver && run.step_hz === column.step_hz && run.result);
+    const ran = page.runs.filter(run => run.solver === column.solver && run.step_hz === column.step_hz && run.result && !run.lacks);
     const ms = ran.map(run => run.result.cpu_ms_per_s).filter(value => value > 0);
     return { ...column, ran: ran.length, passed: ran.filter(isPass).length, slow: ran.filter(run => run.result.gave_up).length, ms: median(ms),
       worst: Math.max(0, ...ran.map(run => run.result.step_ms_max)) };

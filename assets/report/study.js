@@ -31,10 +31,12 @@ function measuredHtml(subject) {
 
 function subjectHtml(subject, data, isNarrow) {
   const metric = mainMetric(subject);
-  const peers = peersOf(subject, data);
+  const engines = enginesOf(subject, metric);
+  const peers = [...peersOf(subject, data), ...engines];
   const { point } = recommended(subject);
   const caption = `Error of the ${metricName(subject, metric)} against cost.` +
-    (peers.length ? ` Grey: other engines on the scene ${subject.peer_scene}, measured elsewhere.` : "");
+    (peers.length > engines.length ? ` Grey: other engines on the scene ${subject.peer_scene}, measured elsewhere.` : "") +
+    (engines.length ? ` Grey: other engines with their own settings, measured on this machine; ${WASM}` : "");
   const other = metric === WORST ? 0 : WORST;
   return `<p class="advice">${esc(adviceOf(subject))}</p>\n` +
     figureHtml(workPrecision(subject, peers), "cost", caption, isNarrow) + failureLine(subject) +
@@ -42,7 +44,7 @@ function subjectHtml(subject, data, isNarrow) {
     frameTable(subject) + costTables(subject, metric) +
     (subject.metrics.length > 1 ? details(`The same for the ${metricName(subject, other)}`, costTables(subject, other)) : "") +
     figureHtml(stepPlot(subject), "step", `Error of the ${metricName(subject, metric)} against the step.`, isNarrow) +
-    verdictTable(subject) + peerTable(peers) + pointsTable(subject) + details("What was measured, and against what", measuredHtml(subject));
+    verdictTable(subject) + peerTable(peers) + engineFailures(subject) + pointsTable(subject) + details("What was measured, and against what", measuredHtml(subject));
 }
 
 function imageHtml(image, isNarrow) {

@@ -91,8 +91,17 @@ function verdictTable(subject) {
 
 function peerTable(peers) {
   const rows = [...peers].sort((a, b) => a.cost - b.cost)
-    .map(peer => row([words(esc(peer.engine)), number(peer.hz), number(numberText(peer.cost)), number(errorText(peer.error))]));
-  return details(`All ${peers.length} figures of other engines`, table(["engine", "#steps a second", "#ms a frame", "#error"], rows));
+    .map(peer => row([words(esc(peer.engine)), words(esc(peer.text)), number(numberText(peer.cost)), number(errorText(peer.error))]));
+  return details(`All ${peers.length} figures of other engines`, table(["engine", "setting", "#ms a frame", "#error"], rows));
+}
+
+const WASM = "wasm costs 1.3 to 2 times a native build, Jolt's package, which is built without SIMD, 5 to 6 times.";
+
+/** What other engines could not do, a line each. */
+function engineFailures(subject) {
+  const failed = (subject.engines ?? []).filter(point => point.status !== "done");
+  return failed.length ? `<ul class="red">${failed.map(point =>
+    `<li>${esc(`${engineName(point)}, ${point.settings_text}: ${point.status}: ${point.why}`)}</li>`).join("")}</ul>\n` : "";
 }
 
 /** "3 of 40 runs failed: 2 exploded, 1 timed out." */

@@ -4,6 +4,7 @@
 include(GNUInstallDirs)
 
 install(TARGETS plumbline plumbline-f64 RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(TARGETS plumbline-engines RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/plumbline")
 
 # All that the program may read at run time; not what made it, and not the benchmarks' scenes.
 set(data_folder "${CMAKE_INSTALL_DATADIR}/plumbline")

@@ -181,6 +181,8 @@ public:
     /// Called at the beginning of every step, when entities that went are forgotten: what is done to the
     /// world from outside. Not saved: who builds a simulation sets it again.
     std::function<void(Simulation&)> before_step;
+    /// Called in place of the physics' own step: another engine moves the bodies. Not saved either.
+    std::function<void()> stepped_elsewhere;
     /// What before_step added to the energy so far; saved.
     double added_energy_J{0};
 

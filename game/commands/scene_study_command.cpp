@@ -27,6 +27,7 @@ Result<scene::OpenedScene> opened(const std::filesystem::path& scene) {
 std::optional<study::SceneStudy> kept_study(const SceneStudyCommand& command,
                                             const std::filesystem::path& folder,
                                             const study::StudyKey& key) {
+    if (!command.engines.empty()) return {};
     if (!command.wish.tolerance && !command.wish.budget_ms) return {};
     std::optional<study::CachedStudy> kept = study::find_study(folder, key);
     if (!kept || kept->grid != study::GridSize::Full) return {};
@@ -61,6 +62,7 @@ Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
         return study::study_scene({.scene = command.scene,
                                    .seconds = command.seconds,
                                    .workers = study::default_workers(),
+                                   .engines = command.engines,
                                    .progress = [&](const study::StudyProgress& progress) {
                                        bar.show(progress.share, progress.left_s);
                                    }});

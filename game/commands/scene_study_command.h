@@ -13,6 +13,7 @@ namespace plumbline::game {
 struct SceneStudyCommand {
     std::filesystem::path scene{};  ///< a file
     std::optional<double> seconds{};
+    std::vector<const study::EngineRow*> engines{};  ///< other engines, measured too
     study::Wish
         wish{};  ///< with either of them: just the lines to paste, from the kept study if any
 };

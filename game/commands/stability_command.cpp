@@ -62,10 +62,13 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
     Result<std::vector<study::CaseEntry>> chosen =
         study::select_cases(*all, options.cases, options.tier == "all");
     if (!chosen) return chosen.error();
+    auto engines = study::installed_engines(options.engines);
+    if (!engines) return engines.error();
     study::StabilityTable table =
         study::plan_table(std::move(*chosen),
                           solvers_of(options),
-                          options.rates ? std::vector<int>{30, 60, 240} : std::vector<int>{60});
+                          options.rates ? std::vector<int>{30, 60, 240} : std::vector<int>{60},
+                          std::move(*engines));
     table.command = options.command;
     table.machine = study::machine_text();
     table.build = version_text() + ", " + study::build_text();
@@ -113,6 +116,12 @@ CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
     CLI::Option* out =
         stability->add_option("--out", options.out, "Folder for stability.json and stability.html");
     add_shard_options(*stability, *out, options.shard, options.merge);
+    stability
+        ->add_option(
+            "--engines",
+            options.engines,
+            "Run these engines too: jolt, rapier, physx, havok, bullet, ode, with commas, or all")
+        ->excludes("--shard", "--merge");
     stability->add_option("--jobs", options.jobs, "Parallel runs; default: number of cores")
         ->check(CLI::Range(1, 256));
     stability->add_flag("--rates", options.rates, "Also run at 30 and 240 Hz");

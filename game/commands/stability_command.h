@@ -19,6 +19,7 @@ namespace plumbline::game {
 struct StabilityOptions {
     std::vector<std::string> cases;           ///< none: all of the tier
     std::optional<physics::Solver> solver{};  ///< none: all
+    std::string engines;  ///< names with commas between them: beside the solvers
     std::string tier{"ci"};
     std::filesystem::path out;  ///< folder of stability.json and stability.html; empty: none
     int jobs{0};                ///< 0: as many as there are cores

@@ -8,6 +8,7 @@
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/scene_file.h"
+#include "engine/study/engines/engine_table.h"
 #include "engine/study/fields/field_study.h"
 #include "engine/study/findings/findings_json.h"
 #include "engine/study/machine.h"
@@ -150,6 +151,7 @@ Result<std::size_t> add_scenarios(const StudyOptions& options,
 /// count as one.
 Result<Done> add_scenes(const StudyOptions& options,
                         const Chosen& chosen,
+                        const std::vector<const study::EngineRow*>& engines,
                         std::size_t runs_before,
                         study::Findings& findings) {
     for (const fs::path& scene : chosen.scenes) {
@@ -158,6 +160,7 @@ Result<Done> add_scenes(const StudyOptions& options,
         Result<study::SceneStudy> made = run_scene_study(
             {.scene = scene,
              .seconds = options.seconds,
+             .engines = engines,
              .wish = {.tolerance = options.tolerance, .budget_ms = options.budget_ms}});
         if (!made) return made.error();
         findings.complete = made->complete;
@@ -357,6 +360,10 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
                      options.budget_ms,
                      "Scenes: print only the settings for this CPU budget, ms per frame")
         ->check(positive_up_to(1e6));
+    study->add_option("--engines",
+                      options.engines,
+                      "Scenes: measure these engines too: jolt, rapier, physx, havok, bullet, ode, "
+                      "with commas, or all");
     return study;
 }
 
@@ -376,9 +383,11 @@ ExitCode run_study(const StudyOptions& options) {
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);
+    const auto engines = study::installed_engines(options.engines);
+    if (!engines) return refuse(engines.error());
     const Result<std::size_t> runs = add_scenarios(options, *chosen, findings);
     if (!runs) return refuse(runs.error());
-    if (const Result<Done> added = add_scenes(options, *chosen, *runs, findings); !added)
+    if (const Result<Done> added = add_scenes(options, *chosen, *engines, *runs, findings); !added)
         return refuse(added.error());
     return finish_study(findings, *folder);
 }

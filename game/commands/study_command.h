@@ -29,6 +29,7 @@ struct StudyOptions {
     std::optional<double> seconds{};
     std::optional<double> tolerance{};
     std::optional<double> budget_ms{};
+    std::string engines;  ///< names with commas between them
     std::string command;  ///< the command line, for the report
 };
 

@@ -91,7 +91,9 @@ void Simulation::step() {
     }
     move_along_paths();
     play_models();
-    {
+    if (stepped_elsewhere) {
+        stepped_elsewhere();
+    } else {
         const IgnoresInterrupts work;
         physics.step(force_fields.all());
     }

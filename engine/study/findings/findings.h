@@ -2,6 +2,7 @@
 // `preset = "auto"`.
 #pragma once
 
+#include "engine/study/engine_setting.h"
 #include "engine/study/findings/effect_findings.h"
 #include "engine/study/findings/image_findings.h"
 #include "engine/study/setting.h"
@@ -65,6 +66,19 @@ struct Point {
     RunCost cost;
 };
 
+/// One setting of another engine on the same scene, measured on this machine.
+struct EnginePoint {
+    EngineSetting setting;
+    std::string title;    ///< "Jolt"
+    std::string text;     ///< "60 Hz, 10 iterations"
+    std::string version;  ///< as the engine or its package says; empty where it did not start
+    bool webassembly{false};
+    RunStatus status{RunStatus::Done};  ///< Refused: it lacks what the scene needs
+    std::string why;                    ///< of a status other than Done
+    std::vector<double> errors;         ///< as a Point's
+    RunCost cost;
+};
+
 /// The Euler floor: the error of a body moved by semi-implicit Euler at a step, without any constraint.
 struct FloorPoint {
     double step_s{0};
@@ -101,6 +115,7 @@ struct Subject {
     double uncertainty{0};                ///< of every error, from the reference's own
     std::vector<FloorPoint> euler_floor;  ///< of the first metric; empty where it has no meaning
     std::vector<Point> points;
+    std::vector<EnginePoint> engines{};  ///< where they were asked for
     std::vector<Convergence> verdicts;
     std::vector<std::string>
         notes;  ///< "chaotic: 16 perturbed copies", "reference converged to 1e-6"

@@ -16,6 +16,17 @@ void fields(const auto& field, Like<Setting> auto& setting) {
     field("effects", setting.fidelity);
 }
 
+void fields(const auto& field, Like<EngineKnob> auto& knob) {
+    field("name", knob.name);
+    field("value", knob.value);
+}
+
+void fields(const auto& field, Like<EngineSetting> auto& setting) {
+    field("engine", setting.engine);
+    field("step_hz", setting.step_hz);
+    field("knobs", setting.knobs);
+}
+
 void fields(const auto& field, Like<RunCost> auto& cost) {
     field("ms_per_s_min", cost.ms_per_s_min);
     field("ms_per_s_median", cost.ms_per_s_median);
@@ -33,6 +44,18 @@ void fields(const auto& field, Like<RunCost> auto& cost) {
 
 void fields(const auto& field, Like<Point> auto& point) {
     field("setting", point.setting);
+    field("status", point.status);
+    field("why", point.why);
+    field("errors", point.errors);
+    field("cost", point.cost);
+}
+
+void fields(const auto& field, Like<EnginePoint> auto& point) {
+    field("setting", point.setting);
+    field("title", point.title);
+    field("settings_text", point.text);
+    field("version", point.version);
+    field("webassembly", point.webassembly);
     field("status", point.status);
     field("why", point.why);
     field("errors", point.errors);
@@ -70,6 +93,7 @@ void fields(const auto& field, Like<Subject> auto& subject) {
     field("uncertainty", subject.uncertainty);
     field("euler_floor", subject.euler_floor);
     field("points", subject.points);
+    field("engines", subject.engines);
     field("verdicts", subject.verdicts);
     field("notes", subject.notes);
 }

@@ -3,9 +3,11 @@
 
 #include "engine/core/result.h"
 #include "engine/physics/physics_world.h"
+#include "engine/study/engine_setting.h"
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,8 @@ struct CaseRun {
     std::filesystem::path scene;
     physics::Solver solver{physics::Solver::SmallStep};
     int step_hz{60};
+    /// By another engine, at the same rate; `solver` counts for nothing then.
+    std::optional<EngineSetting> engine{};
     double cpu_limit_s{60};  ///< of stepping; beyond it the run is given up
 };
 
@@ -49,7 +53,7 @@ struct CaseResult {
 };
 
 /// Runs it in this process, to the end of its time or to the first rule that fails for good.
-/// Refused: what open_scene(), build() and the judge refuse.
+/// Refused: what open_scene(), build() and the judge refuse; of another engine, what it lacks and rules that watch forces.
 Result<CaseResult> run_case(const CaseRun& run);
 
 /// The job kind "hard_case" (job.h): a CaseRun as JSON in, a CaseResult as JSON out.

@@ -1,5 +1,7 @@
 // One hard case in a worker process: the scene, stepped as `simulate` would, and its judge.
-#include "engine/study/findings/json_fields_impl.h"
+#include "engine/study/engines/engine_table.h"
+#include "engine/study/engines/other_engine.h"
+#include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/gallery/gallery.h"
 #include "engine/study/played_scene.h"
 
@@ -51,6 +53,7 @@ void fields(const auto& field, Like<CaseRun> auto& run) {
     field("scene", run.scene);
     field("solver", run.solver);
     field("step_hz", run.step_hz);
+    field("engine", run.engine);
     field("cpu_limit_s", run.cpu_limit_s);
 }
 
@@ -71,35 +74,75 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
     return results;
 }
 
-/// Steps until the judge has seen the case's whole time.
-CaseResult run_to_the_end(PlayedScene& scene, HardCaseJudge& judge, double cpu_limit_s) {
-    const scene::Simulation& simulation = scene.simulation();
-    scene.start();
-    CaseResult result{.ran = true};
-    double cpu_ms = 0;
-    double work = 0;
-    while (!judge.has_ended() && cpu_ms < cpu_limit_s * 1e3) {
-        scene.step();
-        const physics::StepCost& cost = simulation.physics.report().cost;
-        cpu_ms += cost.total_ms;
-        result.step_ms_max = std::max(result.step_ms_max, cost.total_ms);
-        work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
-        judge.after_step(simulation);
-    }
-    result.simulated_s = simulation.time_s();
-    result.cpu_ms_per_s = cpu_ms / result.simulated_s;
-    result.work_per_s = work / result.simulated_s;
-    result.passed = judge.has_ended() && judge.verdict() == Verdict::Pass;
-    result.interventions = judge.interventions();
-    result.rules = results_of(judge);
-    if (!judge.has_ended()) {
-        result.gave_up = judge.verdict() != Verdict::Fail;
-        result.why = fmt::format("given up after {:g} s of CPU time, {:.2g} s simulated",
-                                 cpu_limit_s,
-                                 result.simulated_s);
-    }
-    return result;
+/// Rules that only our own physics can answer.
+bool watches_forces(const HardCaseJudge& judge) {
+    return std::ranges::any_of(judge.rules(), [](const RuleState& rule) {
+        return rule.measure == "joint_force_N" || rule.measure == "impulse_Ns";
+    });
 }
+
+/// Steps until the judge has seen the case's whole time. The scene has started.
+class CaseLoop {
+public:
+    CaseLoop(PlayedScene& scene, HardCaseJudge& judge, OtherEngine* engine, double cpu_limit_s)
+        : scene_(scene), judge_(judge), engine_(engine), cpu_limit_s_(cpu_limit_s) {}
+
+    CaseResult run() {
+        const scene::Simulation& simulation = scene_.simulation();
+        result_.ran = true;
+        while (!judge_.has_ended() && cpu_ms_ < cpu_limit_s_ * 1e3) {
+            scene_.step();
+            if (engine_ == nullptr)
+                count_own(simulation.physics.report().cost);
+            else if (!catch_up())
+                return result_;
+            judge_.after_step(simulation, penetration_m_);
+        }
+        result_.simulated_s = simulation.time_s();
+        result_.cpu_ms_per_s = cpu_ms_ / result_.simulated_s;
+        result_.work_per_s = work_ / result_.simulated_s;
+        result_.passed = judge_.has_ended() && judge_.verdict() == Verdict::Pass;
+        result_.interventions = judge_.interventions();
+        result_.rules = results_of(judge_);
+        if (!judge_.has_ended()) {
+            result_.gave_up = judge_.verdict() != Verdict::Fail;
+            result_.why = fmt::format("given up after {:g} s of CPU time, {:.2g} s simulated",
+                                      cpu_limit_s_,
+                                      result_.simulated_s);
+        }
+        return result_;
+    }
+
+private:
+    void count(double step_ms) {
+        cpu_ms_ += step_ms;
+        result_.step_ms_max = std::max(result_.step_ms_max, step_ms);
+    }
+    void count_own(const physics::StepCost& cost) {
+        count(cost.total_ms);
+        work_ += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
+    }
+    /// False: the engine has failed, and so has the case.
+    bool catch_up() {
+        const Result<EngineMoved> moved = engine_->catch_up(cpu_limit_s_);
+        if (!moved || !moved->is_finite) {
+            result_.why = moved ? "a body has no finite state" : moved.error().message;
+            return false;
+        }
+        count(moved->cpu_ms);
+        penetration_m_ = engine_->faults().penetration_m;
+        return true;
+    }
+
+    PlayedScene& scene_;
+    HardCaseJudge& judge_;
+    OtherEngine* engine_;
+    double cpu_limit_s_;
+    CaseResult result_{};
+    std::optional<double> penetration_m_{};  ///< that the engine's poses have
+    double cpu_ms_{0};
+    double work_{0};
+};
 
 }  // namespace
 
@@ -118,7 +161,16 @@ Result<CaseResult> run_case(const CaseRun& run) {
     if (!scene) return scene.error();
     Result<HardCaseJudge> judge = HardCaseJudge::create(scene->simulation());
     if (!judge) return judge.error();
-    return run_to_the_end(*scene, *judge, run.cpu_limit_s);
+    scene->start();
+    if (!run.engine) return CaseLoop(*scene, *judge, nullptr, run.cpu_limit_s).run();
+    if (watches_forces(*judge))
+        return Error{.message = "its rules watch forces, which are not asked of other engines",
+                     .exit_code = ExitCode::Refused};
+    Result<EngineProcess> process = start_engine(*run.engine);
+    if (!process) return process.error();
+    const auto engine = OtherEngine::create(*run.engine, *process, *scene);
+    if (!engine) return engine.error();
+    return CaseLoop(*scene, *judge, engine->get(), run.cpu_limit_s).run();
 }
 
 std::string case_result_json(const CaseResult& result) {

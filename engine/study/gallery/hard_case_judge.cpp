@@ -260,6 +260,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
                           .start = start_,
                           .added_energy_J = simulation.added_energy_J,
                           .braked_J = interventions_.braked_J,
+                          .penetration_m = penetration_m_,
                           .removed = simulation.tally().removed}),
              kNobody);
         return;
@@ -287,8 +288,10 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
         take((*of_bodies)(looks), kNobody);
 }
 
-void HardCaseJudge::after_step(const scene::Simulation& simulation) {
+void HardCaseJudge::after_step(const scene::Simulation& simulation,
+                               const std::optional<double>& penetration_m) {
     if (has_ended_) return;
+    penetration_m_ = penetration_m.value_or(max_penetration_m(simulation.physics));
     interventions_.add(simulation.physics.report().cost.interventions);
     totals_ = scene::totals_of(simulation);
     // Fields are there once effects are, which is after the judge.

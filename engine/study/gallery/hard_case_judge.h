@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,8 +60,10 @@ public:
     /// unknown measure, names that nothing has. The message names file and line.
     static Result<HardCaseJudge> create(const scene::Simulation& simulation);
 
-    /// After each step of the same simulation. Does nothing once decided.
-    void after_step(const scene::Simulation& simulation);
+    /// After each step of the same simulation. Does nothing once decided. `penetration_m`: the deepest, where another engine
+    /// made the step; else the contact points say it.
+    void after_step(const scene::Simulation& simulation,
+                    const std::optional<double>& penetration_m = {});
 
     /// Fail as soon as one rule fails; pass when the case's time is over.
     Verdict verdict() const { return verdict_; }
@@ -109,6 +112,7 @@ private:
     std::vector<physics::ContactEvent> contacts_;
     physics::Interventions interventions_{};
     scene::Totals totals_{};  ///< after the latest step
+    double penetration_m_{0};
     bool knows_fields_{false};
     bool needs_contacts_{false};
     bool has_ended_{false};

@@ -48,6 +48,7 @@ struct WorldObservation {
     const WorldStart& start;
     double added_energy_J{0};  ///< by the case's events
     double braked_J{0};        ///< what the energy guard has taken out so far
+    double penetration_m{0};   ///< the deepest
     std::uint32_t removed{0};
 };
 

@@ -83,8 +83,9 @@ CaseResult result_of(const Answer& answer) {
 
 }  // namespace
 
-std::string_view verdict_word(const CaseResult& result) {
-    return result.passed ? "pass" : result.gave_up ? "slow" : "FAIL";
+std::string_view verdict_word(const StabilityRun& run) {
+    if (run.lacks()) return "-";
+    return run.result->passed ? "pass" : run.result->gave_up ? "slow" : "FAIL";
 }
 
 Result<std::vector<CaseEntry>> find_cases(const DataFolders& folders) {
@@ -137,7 +138,8 @@ const StabilityRun* StabilityTable::find(std::size_t entry,
                                          physics::Solver solver,
                                          int step_hz) const {
     const auto found = std::ranges::find_if(runs, [&](const StabilityRun& run) {
-        return run.entry == entry && run.solver == solver && run.step_hz == step_hz;
+        return run.entry == entry && run.solver == solver && run.step_hz == step_hz &&
+               run.engine == nullptr;
     });
     return found != runs.end() ? &*found : nullptr;
 }
@@ -145,7 +147,7 @@ const StabilityRun* StabilityTable::find(std::size_t entry,
 std::vector<std::string> StabilityTable::known_red_faults() const {
     std::vector<std::string> faults;
     for (const StabilityRun& run : runs) {
-        const bool counts = run.solver == physics::Solver::SmallStep &&
+        const bool counts = run.engine == nullptr && run.solver == physics::Solver::SmallStep &&
                             run.step_hz == kGameRate_hz && run.result && !run.result->gave_up;
         if (!counts) continue;
         const scene::HardCase& hard = cases[run.entry].hard;
@@ -160,17 +162,21 @@ std::vector<std::string> StabilityTable::known_red_faults() const {
 
 StabilityTable plan_table(std::vector<CaseEntry> cases,
                           std::vector<physics::Solver> solvers,
-                          std::vector<int> rates_hz) {
+                          std::vector<int> rates_hz,
+                          std::vector<const EngineRow*> engines) {
     StabilityTable table;
     for (std::size_t entry = 0; entry < cases.size(); ++entry) {
         for (const physics::Solver solver : solvers) {
             for (const int rate_hz : rates_hz)
                 table.runs.push_back({.entry = entry, .solver = solver, .step_hz = rate_hz});
         }
+        for (const EngineRow* engine : engines)
+            table.runs.push_back({.entry = entry, .step_hz = kGameRate_hz, .engine = engine});
     }
     table.cases = std::move(cases);
     table.solvers = std::move(solvers);
     table.rates_hz = std::move(rates_hz);
+    table.engines = std::move(engines);
     table.images.resize(table.cases.size());
     return table;
 }
@@ -186,11 +192,13 @@ Result<bool> run_table(StabilityTable& table,
         const CaseEntry& entry = table.cases[run.entry];
         const double more_steps = std::max(1.0, static_cast<double>(run.step_hz) / kGameRate_hz);
         const double cpu_limit_s = more_steps * (entry.hard.nightly ? kNightlyLimit_s : kCiLimit_s);
+        CaseRun job{.scene = entry.scene,
+                    .solver = run.solver,
+                    .step_hz = run.step_hz,
+                    .cpu_limit_s = cpu_limit_s};
+        if (run.engine != nullptr) job.engine = run.engine->ladder.front();
         jobs.push_back({.kind = "hard_case",
-                        .body = case_job_body({.scene = entry.scene,
-                                               .solver = run.solver,
-                                               .step_hz = run.step_hz,
-                                               .cpu_limit_s = cpu_limit_s}),
+                        .body = case_job_body(job),
                         .limit_s = kWallPerCpu * cpu_limit_s});
         run_of_job.push_back(i);
     }
@@ -206,17 +214,15 @@ Result<bool> run_table(StabilityTable& table,
 }
 
 std::string run_line(const StabilityTable& table, const StabilityRun& run) {
-    const std::string head = fmt::format("{:<5} {:<15}{:>4} Hz",
-                                         table.cases[run.entry].hard.id,
-                                         physics::solver_name(run.solver),
-                                         run.step_hz);
+    const std::string head = fmt::format(
+        "{:<5} {:<15}{:>4} Hz", table.cases[run.entry].hard.id, run.stepped_by(), run.step_hz);
     if (!run.result) return head + "  not run";
     if (!run.result->ran)
-        return fmt::format("{}  {}  {}", head, verdict_word(*run.result), run.result->why);
+        return fmt::format("{}  {}  {}", head, verdict_word(run), run.result->why);
     const RuleResult* worst = run.result->worst();
     return fmt::format("{}  {}  {:>16}  {:>9.2f} ms/s  {}",
                        head,
-                       verdict_word(*run.result),
+                       verdict_word(run),
                        worst != nullptr ? margin_text(worst->margin) : "",
                        run.result->cpu_ms_per_s,
                        !run.result->why.empty() ? run.result->why
@@ -228,25 +234,28 @@ std::string stability_text(const StabilityTable& table) {
     std::string text;
     for (const StabilityRun& run : table.runs) text += run_line(table, run) + "\n";
     text += "\n";
-    for (const physics::Solver solver : table.solvers) {
-        for (const int rate_hz : table.rates_hz) {
-            int green = 0;
-            int slow = 0;
-            int ran = 0;
-            for (const StabilityRun& run : table.runs) {
-                if (run.solver != solver || run.step_hz != rate_hz || !run.result) continue;
-                ++ran;
-                green += run.green() ? 1 : 0;
-                slow += run.result->gave_up ? 1 : 0;
-            }
-            text += fmt::format("{:<15}{:>4} Hz  {} of {} pass{}\n",
-                                physics::solver_name(solver),
-                                rate_hz,
-                                green,
-                                ran,
-                                slow > 0 ? fmt::format(", {} given up", slow) : "");
-        }
+    struct Sum {
+        int green{0};
+        int slow{0};
+        int ran{0};
+    };
+    // In the order of the runs.
+    std::vector<std::pair<std::string, Sum>> sums;
+    for (const StabilityRun& run : table.runs) {
+        const std::string name = fmt::format("{:<15}{:>4} Hz", run.stepped_by(), run.step_hz);
+        auto sum = std::ranges::find(sums, name, &std::pair<std::string, Sum>::first);
+        if (sum == sums.end()) sum = sums.insert(sums.end(), {name, {}});
+        if (!run.result || run.lacks()) continue;
+        ++sum->second.ran;
+        sum->second.green += run.green() ? 1 : 0;
+        sum->second.slow += run.result->gave_up ? 1 : 0;
     }
+    for (const auto& [name, sum] : sums)
+        text += fmt::format("{}  {} of {} pass{}\n",
+                            name,
+                            sum.green,
+                            sum.ran,
+                            sum.slow > 0 ? fmt::format(", {} given up", sum.slow) : "");
     return text;
 }
 

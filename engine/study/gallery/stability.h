@@ -4,6 +4,7 @@
 #include "engine/core/io/files.h"
 #include "engine/core/result.h"
 #include "engine/scene/scene_description.h"
+#include "engine/study/engines/engine_table.h"
 #include "engine/study/findings/findings.h"
 #include "engine/study/gallery/gallery.h"
 
@@ -43,8 +44,14 @@ struct StabilityRun {
     std::size_t entry{0};  ///< into StabilityTable::cases
     physics::Solver solver{physics::Solver::SmallStep};
     int step_hz{60};
+    const EngineRow* engine{nullptr};  ///< another one, with its defaults, in place of the solver
     std::optional<CaseResult> result{};
 
+    std::string_view stepped_by() const {
+        return engine != nullptr ? engine->name : physics::solver_name(solver);
+    }
+    /// Neither passed nor failed: the engine has not what the case needs, or is not asked for it.
+    bool lacks() const { return engine != nullptr && result && !result->ran; }
     bool green() const { return result && result->passed; }
 };
 
@@ -58,6 +65,7 @@ struct StabilityTable {
     std::vector<CaseEntry> cases;
     std::vector<physics::Solver> solvers;
     std::vector<int> rates_hz;
+    std::vector<const EngineRow*> engines{};  ///< at kGameRate_hz
     std::vector<StabilityRun> runs;
     std::vector<std::string> images;  ///< PNG bytes, one per case; empty where there is none
     std::string no_images;            ///< why there are none, or empty
@@ -69,10 +77,11 @@ struct StabilityTable {
     std::vector<std::string> known_red_faults() const;
 };
 
-/// A table with a run, not yet made, for every case, solver and rate.
+/// A table with a run, not yet made, for every case, solver and rate, and for every engine.
 StabilityTable plan_table(std::vector<CaseEntry> cases,
                           std::vector<physics::Solver> solvers,
-                          std::vector<int> rates_hz);
+                          std::vector<int> rates_hz,
+                          std::vector<const EngineRow*> engines = {});
 
 /// Runs what has no result yet in worker processes; `ended` after each, with how many are done.
 /// False, and complete false, when interrupted. Refused: what run_jobs() refuses.
@@ -90,8 +99,8 @@ Result<StabilityTable> merged_tables(std::span<const std::string> jsons,
 /// in child processes. Where the first fails, none is made and no_images says why.
 void take_images(StabilityTable& table, int workers, int width_px, int height_px);
 
-/// "pass", "FAIL", or "slow": given up before it had failed.
-std::string_view verdict_word(const CaseResult& result);
+/// "pass", "FAIL", "slow": given up before it had failed, or "-": lacks(). The run has a result.
+std::string_view verdict_word(const StabilityRun& run);
 /// "H05  small_step  60 Hz  pass  92 % inside  3.2 ms/s  sag_m of box_1 at most 0.1".
 std::string run_line(const StabilityTable& table, const StabilityRun& run);
 /// All lines and how many are green for each solver.

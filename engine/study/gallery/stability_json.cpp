@@ -39,10 +39,12 @@ Json known_red(const scene::HardCase& hard) {
 Json run_json(const StabilityTable& table, const StabilityRun& run) {
     const scene::HardCase& hard = table.cases[run.entry].hard;
     Json json{{"case", hard.id},
-              {"solver", physics::solver_name(run.solver)},
+              {"solver", run.stepped_by()},
               {"step_hz", run.step_hz},
               {"tier", hard.nightly ? "nightly" : "ci"}};
-    if (run.solver == physics::Solver::SmallStep && run.step_hz == kGameRate_hz)
+    if (run.engine != nullptr)
+        json["lacks"] = run.lacks();
+    else if (run.solver == physics::Solver::SmallStep && run.step_hz == kGameRate_hz)
         json["known_red"] = known_red(hard);
     json["result"] =
         run.result ? scene::read_json<Json>(case_result_json(*run.result)) : Json(nullptr);

@@ -7,6 +7,7 @@ namespace plumbline::study {
 void fields(const auto& field, Like<SceneRun> auto& run) {
     field("scene", run.scene);
     field("setting", run.setting);
+    field("engine", run.engine);
     field("moments", run.moments);
     field("copies", run.copies);
     field("seed", run.seed);
@@ -56,6 +57,7 @@ void fields(const auto& field, Like<SceneAnswer> auto& answer) {
     field("cpu_s", answer.cpu_s);
     field("wall_s", answer.wall_s);
     field("traces", answer.traces);
+    field("engine_version", answer.engine_version);
     field("cost", answer.cost);
 }
 

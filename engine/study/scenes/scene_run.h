@@ -7,6 +7,7 @@
 
 #include "engine/core/math.h"
 #include "engine/core/result.h"
+#include "engine/study/engine_setting.h"
 #include "engine/study/findings/findings.h"
 #include "engine/study/played_scene.h"
 #include "engine/study/workers/worker.h"
@@ -26,6 +27,8 @@ inline constexpr double kSampleEvery_s = 1.0 / 30.0;
 struct SceneRun {
     std::filesystem::path scene{};
     Setting setting{};
+    /// By another engine; of `setting` the rate counts then, and is the same.
+    std::optional<EngineSetting> engine{};
     /// In units of kSampleEvery_s, rising, the last one is the run's end.
     std::vector<int> moments{};
     int copies{1};           ///< runs that are sampled; with `shift_m` each starts elsewhere
@@ -81,6 +84,7 @@ struct SceneAnswer {
     double cpu_s{0};   ///< of all that was done for it, loading and sampling included
     double wall_s{0};  ///< likewise; more than `cpu_s` on a machine that does other things too
     std::vector<Trace> traces{};  ///< one per copy
+    std::string engine_version{};
     RunCost cost{};
 };
 

@@ -32,6 +32,9 @@ constexpr std::size_t kFidelitiesOf = 4;
 /// Of the time that is left, what is spent before others follow; and how much longer it all may take then.
 constexpr double kShare = 0.5;
 constexpr double kWithFidelities = 1.5;
+/// CPU time that another engine's run may take: at least, and times what ours took.
+constexpr double kEngineLeast_s = 10;
+constexpr double kEngineFactor = 30;
 /// Measured even where the time is over.
 constexpr std::size_t kSettingsLeast = 4;
 
@@ -71,6 +74,7 @@ public:
         if (!*reference) return finish();
         reference_ = std::move(**reference);
         if (const Result<Done> done = measure_grid(); !done) return done.error();
+        if (const Result<Done> done = measure_engines(); !done) return done.error();
         return finish();
     }
 
@@ -259,24 +263,60 @@ private:
     }
 
     Point point_of(const Setting& setting, const ScenePlan::Finished& finished) const {
-        Point point;
-        point.setting = setting;
-        point.status = finished.status;
-        point.why = finished.why;
-        if (finished.status != RunStatus::Done) return point;
-        point.cost = finished.answer.cost;
-        for (const Trace& trace : finished.answer.traces) {
-            point.status = trace.status;
-            point.why = trace.why;
-            if (point.status == RunStatus::Done) {
-                point.why =
-                    explosion_in(trace, reference_->answer.traces.front(), reference_->scales);
-                if (!point.why.empty()) point.status = RunStatus::Exploded;
+        Outcome outcome = outcome_of(finished);
+        return {.setting = setting,
+                .status = outcome.status,
+                .why = std::move(outcome.why),
+                .errors = std::move(outcome.errors),
+                .cost = finished.answer.cost};
+    }
+
+    /// All settings of the other engines.
+    Result<Done> measure_engines() {
+        if (options_.engines.empty() || plan_.interrupted()) return Done{};
+        std::vector<SceneRun> runs;
+        std::vector<EnginePoint> points;
+        for (const EngineRow* engine : options_.engines) {
+            for (const EngineSetting& setting : engine->ladder) {
+                SceneRun& run = runs.emplace_back(run_of({.step_hz = setting.step_hz}));
+                run.engine = setting;
+                run.cpu_limit_s = std::max(
+                    kEngineLeast_s,
+                    kEngineFactor * probe_.second_cpu_s * study_.seconds * setting.step_hz / 60.0);
+                points.push_back({.setting = setting,
+                                  .title = std::string(engine->title),
+                                  .text = engine_setting_text(setting),
+                                  .webassembly = engine->webassembly()});
             }
-            if (point.status != RunStatus::Done) return point;
         }
-        point.errors = errors_against(*reference_, finished.answer);
-        return point;
+        const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& finished) {
+            EnginePoint& point = points[finished.run];
+            Outcome outcome = outcome_of(finished);
+            point.version = finished.answer.engine_version;
+            point.status = outcome.status;
+            point.why = std::move(outcome.why);
+            point.errors = std::move(outcome.errors);
+            point.cost = finished.answer.cost;
+        });
+        if (!plan_.interrupted()) study_.subject.engines = std::move(points);
+        return done;
+    }
+
+    /// What a run is worth.
+    struct Outcome {
+        RunStatus status{RunStatus::Done};
+        std::string why{};
+        std::vector<double> errors{};
+    };
+    Outcome outcome_of(const ScenePlan::Finished& finished) const {
+        if (finished.status != RunStatus::Done) return {finished.status, finished.why};
+        for (const Trace& trace : finished.answer.traces) {
+            if (trace.status != RunStatus::Done) return {trace.status, trace.why};
+            const std::string why =
+                explosion_in(trace, reference_->answer.traces.front(), reference_->scales);
+            if (!why.empty()) return {RunStatus::Exploded, why};
+        }
+        return {.errors = errors_against(*reference_, finished.answer)};
     }
 
     /// A clock that other work disturbs shows in runs of the same thing.

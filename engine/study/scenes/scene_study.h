@@ -2,6 +2,7 @@
 // compares them with the reference.
 #pragma once
 
+#include "engine/study/engines/engine_table.h"
 #include "engine/study/scenes/scene_grid.h"
 #include "engine/study/scenes/scene_plan.h"
 
@@ -16,6 +17,7 @@ struct SceneStudyOptions {
     GridSize grid{GridSize::Full};
     std::optional<double> wall_s{};  ///< to be done within; none: 50, more for many bodies
     int workers{1};
+    std::vector<const EngineRow*> engines{};  ///< after the grid, and beyond `wall_s`
     ReportProgress progress{};
 };
 
