@@ -156,9 +156,9 @@ private:
             meshes_.push_back(std::make_unique<btTriangleMesh>());
             const Json& points = part.at("points_m");
             for (const Json& corners : part.at("triangles"))
-                meshes_.back()->addTriangle(vector_of(points.at(corners.at(0))),
-                                            vector_of(points.at(corners.at(1))),
-                                            vector_of(points.at(corners.at(2))));
+                meshes_.back()->addTriangle(vector_of(points.at(corners.at(0).get<std::size_t>())),
+                                            vector_of(points.at(corners.at(1).get<std::size_t>())),
+                                            vector_of(points.at(corners.at(2).get<std::size_t>())));
             return keep(std::make_unique<btBvhTriangleMeshShape>(meshes_.back().get(), true));
         }
         const btScalar radius = size("radius_m");

@@ -18,8 +18,6 @@ struct BodyCopy {
     /// Boxes, spheres, cylinders, capsules, cones, hulls; or one mesh. `body_from_child` leads to the mass frame.
     std::vector<CompoundChild> parts{};
     Pose world_from_mass{};
-    Vec3 velocity_mps{0, 0, 0};  ///< of the centre of mass
-    Vec3 spin_radps{0, 0, 0};    ///< world axes
     double mass_kg{0};
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal
     Real friction{0};             ///< combined as sqrt(a*b)

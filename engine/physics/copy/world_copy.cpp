@@ -61,8 +61,6 @@ BodyCopy copy_of(const BodyRecord& record) {
             .kind = record.frozen ? BodyKind::Static : record.kind,
             .parts = parts_of(*traits.geometry),
             .world_from_mass = pose_of(record.motion->at),
-            .velocity_mps = record.motion->velocity_mps,
-            .spin_radps = record.motion->spin_radps,
             .mass_kg = traits.mass_kg,
             .inertia_kgm2 = traits.inertia_kgm2,
             .friction = traits.material.friction,

@@ -100,8 +100,6 @@ Json json_of(const BodyCopy& body) {
     for (const physics::CompoundChild& part : body.parts) json["parts"].push_back(json_of(part));
     json["at_m"] = numbers(body.world_from_mass.position);
     json["turn"] = numbers(body.world_from_mass.orientation);
-    json["velocity_mps"] = numbers(body.velocity_mps);
-    json["spin_radps"] = numbers(body.spin_radps);
     json["mass_kg"] = body.mass_kg;
     json["inertia_kgm2"] = numbers(Vec3(body.inertia_kgm2));
     json["friction"] = body.friction;
@@ -221,6 +219,10 @@ std::vector<double> states_of(const physics::PhysicsWorld& world,
         for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<double>(v[i]));
     };
     for (const physics::BodyId id : bodies) {
+        if (!world.contains(id)) {
+            numbers.resize(numbers.size() + kNumbersOfBody);
+            continue;
+        }
         const physics::BodyState state = world.state(id);
         const Vec3 center = state.center_of_mass_world();
         const Quatd turn = physics::world_from_mass(world, id);
@@ -240,6 +242,7 @@ void set_states(physics::PhysicsWorld& world,
         return Vec3(Vec3d{numbers[first], numbers[first + 1], numbers[first + 2]});
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!world.contains(bodies[i])) continue;
         const std::size_t at = i * kNumbersOfBody;
         const Quatd turn = glm::normalize(
             Quatd{numbers[at + 6], numbers[at + 3], numbers[at + 4], numbers[at + 5]});

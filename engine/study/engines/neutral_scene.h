@@ -25,10 +25,10 @@ NeutralScene neutral_scene(const scene::Simulation& simulation,
                            std::span<const physics::BodyId> moving,
                            const EngineSetting& setting);
 
-/// kNumbersOfBody for each.
+/// kNumbersOfBody for each; zeros for one that is gone.
 std::vector<double> states_of(const physics::PhysicsWorld& world,
                               std::span<const physics::BodyId> bodies);
-/// The way back. `numbers` has as many for each.
+/// The way back. `numbers` has as many for each; those of one that is gone are left aside.
 void set_states(physics::PhysicsWorld& world,
                 std::span<const physics::BodyId> bodies,
                 std::span<const double> numbers);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::study {
 
@@ -16,7 +17,8 @@ OtherEngine::OtherEngine(EngineProcess& process, scene::Simulation& simulation)
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (moving.kind == physics::BodyKind::Dynamic) bodies_.push_back(moving.body);
     }
-    known_ = states_of(simulation.physics, bodies_);
+    // Of velocities a scene handed over says nothing: the first steps set all.
+    known_.assign(bodies_.size() * kNumbersOfBody, std::numeric_limits<double>::quiet_NaN());
     simulation.stepped_elsewhere = [this] { ++pending_; };
 }
 
@@ -45,6 +47,7 @@ EngineSteps OtherEngine::steps_since() const {
     now_ = states_of(simulation_.physics, bodies_);
     const std::span<const double> now(now_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (!simulation_.physics.contains(bodies_[i])) continue;  // the engine may keep it
         const std::span<const double> own = now.subspan(i * kNumbersOfBody, kNumbersOfBody);
         if (!std::ranges::equal(own, std::span(known_).subspan(i * kNumbersOfBody, kNumbersOfBody)))
             steps.set.emplace_back(places_[i], own);

@@ -36,7 +36,8 @@ struct RuleResult {
 };
 
 struct CaseResult {
-    bool ran{false};  ///< false: `why` says what went wrong, and it counts as failed
+    bool ran{false};      ///< false: `why` says what went wrong, and it counts as failed
+    bool refused{false};  ///< ... it was not begun
     bool passed{false};
     /// Time ran out before a rule had failed: neither passed nor failed, the machine was too slow.
     bool gave_up{false};

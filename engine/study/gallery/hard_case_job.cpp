@@ -126,7 +126,10 @@ private:
     bool catch_up() {
         const Result<EngineMoved> moved = engine_->catch_up(cpu_limit_s_);
         if (!moved || !moved->is_finite) {
-            result_.why = moved ? "a body has no finite state" : moved.error().message;
+            result_.simulated_s = scene_.simulation().time_s();
+            result_.why = fmt::format("{} by {:.2f} s",
+                                      moved ? "a body has no finite state" : moved.error().message,
+                                      result_.simulated_s);
             return false;
         }
         count(moved->cpu_ms);

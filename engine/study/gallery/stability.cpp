@@ -76,7 +76,7 @@ std::string red_fault(const RuleResult& rule, std::span<const scene::HardCaseRed
 CaseResult result_of(const Answer& answer) {
     if (answer.status == RunStatus::TimedOut) return {.gave_up = true, .why = "took too long"};
     if (answer.status == RunStatus::Crashed) return {.why = "its worker crashed: " + answer.body};
-    if (answer.status != RunStatus::Done) return {.why = answer.body};
+    if (answer.status != RunStatus::Done) return {.refused = true, .why = answer.body};
     if (Result<CaseResult> result = parse_case_result(answer.body)) return *result;
     return {.why = "its worker's answer cannot be read"};
 }

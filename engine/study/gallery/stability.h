@@ -51,7 +51,7 @@ struct StabilityRun {
         return engine != nullptr ? engine->name : physics::solver_name(solver);
     }
     /// Neither passed nor failed: the engine has not what the case needs, or is not asked for it.
-    bool lacks() const { return engine != nullptr && result && !result->ran; }
+    bool lacks() const { return engine != nullptr && result && result->refused; }
     bool green() const { return result && result->passed; }
 };
 
