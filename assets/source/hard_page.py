@@ -1,5 +1,6 @@
 """docs/GALLERY.md: what the gallery of hard cases holds, and what of PHYSICS.md it does not."""
 
+import hard_engines
 from hard_scene import number, reached_text
 
 INTRODUCTION = """# The gallery of hard cases
@@ -16,6 +17,7 @@ numbers. `assets/source/make_hard_scenes.py` writes the scenes and this page;
 plumbline stability                            # the @CI@ cases of the CI tier, every solver
 plumbline stability H05 H30 --solver small_step
 plumbline stability --tier all --rates --out DIR   # all @ALL@, at 30, 60 and 240 Hz; JSON and a page
+plumbline stability --solver small_step --engines jolt,bullet   # other engines beside it
 plumbline play hard/H05                        # walk around in one; its rules are on the screen
 ```
 
@@ -115,6 +117,7 @@ KNOWN_RED = {
 LEFT_OUT = """
 Long cases (nightly tier): {nightly}.
 
+{engines}
 ## What small_step fails
 
 | case | rule | how far it gets | why |
@@ -186,4 +189,4 @@ def page(scenes):
     in_ci = sum(scene.tier == "ci" for scene in scenes)
     head = INTRODUCTION.replace("@ALL@", str(len(scenes))).replace("@CI@", str(in_ci))
     return head + "\n".join(rows) + "\n" + LEFT_OUT.format(
-        nightly=nightly, reds="\n".join(reds), exceptions="\n".join(sorted(later + unfed)))
+        nightly=nightly, engines=hard_engines.section(), reds="\n".join(reds), exceptions="\n".join(sorted(later + unfed)))

@@ -36,6 +36,8 @@ def run(script, printed_to, folder):
                   "fairground_plan.py"):  # read by others
         for part in (ROOT / SOURCE).glob(parts):
             shutil.copy(part, folder / SOURCE)
+    (folder / "assets/data").mkdir(exist_ok=True)
+    shutil.copy(ROOT / "assets/data/engine_cases.csv", folder / "assets/data")
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,
                           text=True, check=False, timeout=60)
     if done.returncode != 0:

@@ -57,7 +57,7 @@ def what_is_there():
             assert left_out == (data + name not in there), f"{name}: left out is {left_out}"
     assert not any("/source/" in name or "/bench/" in name for name in there), there
     programs = [name for name in there if os.access(prefix / name, os.X_OK)]
-    assert sorted(programs) == [f"bin/{program}" for program in PROGRAMS], programs
+    assert sorted(programs) == sorted([f"bin/{program}" for program in PROGRAMS] + ["libexec/plumbline/plumbline-engines"]), programs
 
 
 def runs_from_anywhere():
@@ -68,6 +68,7 @@ def runs_from_anywhere():
     assert (folder / "cube.png").read_bytes().startswith(b"\x89PNG")
     run("controls", says="flashlight")
     run("explain", "falling_cube")
+    run("stability", "H36", "--solver", "small_step", "--engines", "bullet", "--no-pictures", says="bullet           60 Hz  1 of 1 pass")
     # The study starts both programs; without a HOME it keeps nothing and says nothing wrong.
     run("study", "A02", "--quick", "--out", folder / "study")
     assert len((folder / "study/findings.csv").read_text().splitlines()) > 3

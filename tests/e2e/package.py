@@ -41,7 +41,7 @@ def holds_system_files_only(package):
         mode, owner, _, _, _, name = line.split(maxsplit=5)
         assert owner == "root/root", line
         assert name.startswith("./usr") or name == "./", line
-        wanted = "rwxr-xr-x" if mode[0] == "d" or name.startswith("./usr/bin/") else "rw-r--r--"
+        wanted = "rwxr-xr-x" if mode[0] == "d" or name.startswith(("./usr/bin/", "./usr/libexec/")) else "rw-r--r--"
         assert mode[1:] == wanted, line
 
 

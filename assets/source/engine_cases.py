@@ -1,0 +1,19 @@
+#!/usr/bin/env python3
+"""assets/data/engine_cases.csv from `plumbline stability --solver small_step --engines all --out DIR`: engine_cases.py DIR/stability.json."""
+import csv
+import json
+import sys
+
+table = json.load(open(sys.argv[1], encoding="utf-8"))
+out = csv.writer(open("assets/data/engine_cases.csv", "w", encoding="utf-8", newline=""), lineterminator="\n")
+out.writerow(["case", "engine", "verdict", "measure", "value", "why"])
+for run in table["runs"]:
+    result = run["result"]
+    failed = sorted((rule for rule in result["rules"] if not rule["passed"]),
+                    key=lambda rule: rule["margin"] if rule["margin"] is not None else float("-inf"))
+    verdict = "lacks" if run.get("lacks") else "pass" if result["passed"] else "slow" if result["gave_up"] else "fail"
+    measure, value = "", ""
+    if failed:
+        measure = failed[0]["text"].split()[0]
+        value = "gone" if failed[0]["value"] is None else f"{failed[0]['value']:.3g}"
+    out.writerow([run["case"], run["solver"], verdict, measure, value, result["why"]])
