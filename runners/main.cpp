@@ -72,7 +72,10 @@ int run_engine(std::string_view name) {
     const auto engine = std::ranges::find(engines, name, &Engine::name);
     try {
         if (engine == engines.end())
-            throw std::runtime_error(fmt::format("this build has no {}", name));
+            throw std::runtime_error(
+                fmt::format("this build has no {}; with Debian's lib{}-dev installed, build again",
+                            name,
+                            name));
         answer_lines(*engine);
     } catch (const Lacks& lacks) {
         say({{"lacks", lacks.what()}});

@@ -4,9 +4,13 @@ import csv
 import json
 import sys
 
+KEPT = "assets/data/engine_cases.csv"  # cases that the table lacks stay as they are there
 table = json.load(open(sys.argv[1], encoding="utf-8"))
-out = csv.writer(open("assets/data/engine_cases.csv", "w", encoding="utf-8", newline=""), lineterminator="\n")
+ran = {run["case"] for run in table["runs"]}
+kept = [line for line in csv.reader(open(KEPT, encoding="utf-8")) if line[0] not in ran and line[0] != "case"]
+out = csv.writer(open(KEPT, "w", encoding="utf-8", newline=""), lineterminator="\n")
 out.writerow(["case", "engine", "verdict", "measure", "value", "why"])
+lines = kept
 for run in table["runs"]:
     result = run["result"]
     failed = sorted((rule for rule in result["rules"] if not rule["passed"]),
@@ -16,4 +20,6 @@ for run in table["runs"]:
     if failed:
         measure = failed[0]["text"].split()[0]
         value = "gone" if failed[0]["value"] is None else f"{failed[0]['value']:.3g}"
-    out.writerow([run["case"], run["solver"], verdict, measure, value, result["why"]])
+    lines.append([run["case"], run["solver"], verdict, measure, value, result["why"]])
+ENGINES = ["small_step", "jolt", "rapier", "physx", "havok", "bullet", "ode"]
+out.writerows(sorted(lines, key=lambda line: (line[0], ENGINES.index(line[1]))))

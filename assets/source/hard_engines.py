@@ -6,7 +6,7 @@ HEAD = """## Other engines
 
 `plumbline stability --engines all` runs the gallery with the engines of [ENGINES.md](ENGINES.md) too, each with its own defaults
 at 60 Hz, held to the same rules by the same code. A dot: the case holds what the engine lacks or is not handed (rolling
-friction, effects, paths, rules that watch forces). Else the worst broken rule and its value; "gone": a body fell out of the world. The rules are
+friction, effects, bodies that are led, rules that watch forces). Else the worst broken rule and its value; "gone": a body fell out of the world. The rules are
 ours: 2 % of an edge, for example, is less than the 2 cm that Jolt lets a contact penetrate by design.
 
 | engine | passes | small_step on the same cases |

@@ -159,10 +159,23 @@ Json json_of(const JointDef& joint, const std::map<physics::BodyId, int>& places
     return json;
 }
 
-/// What shows in poses, velocities or gravity.
-bool is_handed(scene::CaseEventKind kind) {
+/// Whether it is led by the scene: an engine is told of dynamic bodies only.
+bool is_led(const scene::Simulation& simulation, const scene::MovingBody& moving) {
+    if (simulation.registry.find<scene::MotionPath>(moving.entity) != nullptr) return true;
+    const physics::BodyState state = simulation.physics.state(moving.body);
+    return moving.kind == physics::BodyKind::Kinematic &&
+           (state.velocity_mps != Vec3{0, 0, 0} || state.angular_velocity_radps != Vec3{0, 0, 0});
+}
+
+/// Whether it shows in poses and velocities of dynamic bodies, or in gravity.
+bool is_handed(const scene::Simulation& simulation, const scene::HardCaseEvent& event) {
     using enum scene::CaseEventKind;
-    return kind == Teleport || kind == Velocity || kind == Impulse || kind == Gravity;
+    if (event.kind == Gravity) return true;
+    if (event.kind != Teleport && event.kind != Velocity && event.kind != Impulse) return false;
+    const std::span<const scene::MovingBody> bodies = simulation.moving_bodies();
+    const auto body =
+        std::ranges::find(bodies, simulation.find(event.of), &scene::MovingBody::entity);
+    return body != bodies.end() && body->kind == physics::BodyKind::Dynamic;
 }
 
 }  // namespace
@@ -176,14 +189,14 @@ std::vector<std::string> not_handed(const PlayedScene& scene) {
     const scene::Simulation& simulation = scene.simulation();
     if (const auto& hard_case = simulation.description().hard_case) {
         for (const scene::HardCaseEvent& event : hard_case->events) {
-            if (is_handed(event.kind)) continue;
+            if (is_handed(simulation, event)) continue;
             names.emplace_back("what happens on the way");
             break;
         }
     }
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
-        if (simulation.registry.find<scene::MotionPath>(moving.entity) == nullptr) continue;
-        names.emplace_back("a body on a path");
+        if (!is_led(simulation, moving)) continue;
+        names.emplace_back("a body that is led");
         break;
     }
     return names;

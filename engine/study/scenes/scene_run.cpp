@@ -192,46 +192,52 @@ Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
     const int runs = run.copies + run.repeats;
     for (int i = 0; i < runs; ++i) {
         if (i >= run.copies && spent_s > run.repeat_s) break;
-        Result<PlayedScene> scene = PlayedScene::create(*opened_, *library_);
-        if (!scene) return scene.error();
-        const scene::Simulation& simulation = scene->simulation();
-        scene->start();
-        std::unique_ptr<OtherEngine> engine;
-        if (run.engine) {
-            auto made = OtherEngine::create(*run.engine, *process, *scene);
-            if (!made) return made.error();
-            engine = std::move(*made);
-        }
-        OneRun one(run, *scene, engine.get());
-        if (one.bodies().bodies().empty())
-            return Error{.message = fmt::format("{}: nothing in it moves by itself, so there is no "
-                                                "accuracy to study; expected a body of kind "
-                                                "\"dynamic\"",
-                                                run.scene.string()),
-                         .exit_code = ExitCode::Refused};
-        if (i == 0) {
-            one.bodies().describe(answer);
-        }
-        if (run.shift_m > 0)
-            one.bodies().shift(run.seed + static_cast<std::uint64_t>(std::min(i, run.copies - 1)),
-                               run.shift_m);
-        if (i < run.copies) {
-            answer.traces.push_back(one.sample());
-        } else {
-            one.repeat();
-        }
-        if (i == 0 && one.bodies().has_others()) answer.effects = open_effects(*scene);
-        if (simulation.time_s() > 0) laps.push_back(one.lap());
+        const Result<Lap> lap = run_one(run, i, process ? &*process : nullptr, answer);
+        if (!lap) return lap.error();
+        if (lap->simulated_s > 0) laps.push_back(*lap);
         // An engine that compiles itself while it runs has spent much in its first run already.
-        if (!run.engine || i >= run.copies) spent_s += one.lap().cpu_ms * 1e-3;
+        if (!run.engine || i >= run.copies) spent_s += lap->cpu_ms * 1e-3;
         if (answer.traces.back().status != RunStatus::Done) break;
     }
     answer.cost = cost_of_runs(laps);
     answer.cost.bodies = answer.bodies;
-    answer.cost.peak_bytes = peak_resident_bytes();
+    if (!run.engine) answer.cost.peak_bytes = peak_resident_bytes();
     answer.cpu_s = thread_cpu_s() - cpu_start_s;
     answer.wall_s = wall_s() - start_s;
     return answer;
+}
+
+Result<Lap> SceneRunner::run_one(const SceneRun& run,
+                                 int number,
+                                 EngineProcess* process,
+                                 SceneAnswer& answer) {
+    Result<PlayedScene> scene = PlayedScene::create(*opened_, *library_);
+    if (!scene) return scene.error();
+    scene->start();
+    std::unique_ptr<OtherEngine> engine;
+    if (process != nullptr) {
+        auto made = OtherEngine::create(*run.engine, *process, *scene);
+        if (!made) return made.error();
+        engine = std::move(*made);
+    }
+    OneRun one(run, *scene, engine.get());
+    MovingSamples& bodies = one.bodies();
+    if (bodies.bodies().empty())
+        return Error{.message = fmt::format("{}: nothing in it moves by itself, so there is no "
+                                            "accuracy to study; expected a body of kind "
+                                            "\"dynamic\"",
+                                            run.scene.string()),
+                     .exit_code = ExitCode::Refused};
+    if (number == 0) bodies.describe(answer);
+    if (run.shift_m > 0)
+        bodies.shift(run.seed + static_cast<std::uint64_t>(std::min(number, run.copies - 1)),
+                     run.shift_m);
+    if (number < run.copies)
+        answer.traces.push_back(one.sample());
+    else
+        one.repeat();
+    if (number == 0 && bodies.has_others()) answer.effects = open_effects(*scene);
+    return one.lap();
 }
 
 }  // namespace plumbline::study

@@ -10,6 +10,7 @@
 #include "engine/study/engine_setting.h"
 #include "engine/study/findings/findings.h"
 #include "engine/study/played_scene.h"
+#include "engine/study/stepping_cost.h"
 #include "engine/study/workers/worker.h"
 
 #include <cstdint>
@@ -20,6 +21,8 @@
 #include <vector>
 
 namespace plumbline::study {
+
+class EngineProcess;
 
 inline constexpr double kSampleEvery_s = 1.0 / 30.0;
 
@@ -97,6 +100,11 @@ public:
 
 private:
     Result<Done> open(const std::filesystem::path& file);
+    /// The `number`th run; what it finds beside its cost goes to `answer`. `process`: the engine's, where there is one.
+    Result<Lap> run_one(const SceneRun& run,
+                        int number,
+                        EngineProcess* process,
+                        SceneAnswer& answer);
 
     std::filesystem::path file_;
     std::optional<scene::OpenedScene> opened_;

@@ -74,6 +74,21 @@ TEST_F(NeutralSceneTest, StatesComeBackAsTheyWere) {
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-5) << i;
 }
 
+TEST_F(NeutralSceneTest, BodiesThatAreLedAreNotHandedOver) {
+    const std::string lift = R"(
+[[entity]]
+name = "lift"
+position_m = [0, 1, 0]
+[entity.body]
+kind = "kinematic"
+shape = { box = [1, 0.1, 1] }
+)";
+    EXPECT_TRUE(not_handed(play(std::string(kFalling) + lift)).empty());
+    EXPECT_EQ(not_handed(play(std::string(kFalling) + lift +
+                              "motion = { points_m = [], spin_degps = [0, 90, 0] }\n")),
+              std::vector<std::string>{"a body that is led"});
+}
+
 TEST_F(NeutralSceneTest, EffectsThatPushBodiesAreNotHandedOver) {
     EXPECT_TRUE(not_handed(play(std::string(kFalling))).empty());
     EXPECT_EQ(not_handed(play(std::string(kFalling) + "drag = {}\n")),
