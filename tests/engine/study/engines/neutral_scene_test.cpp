@@ -75,17 +75,11 @@ TEST_F(NeutralSceneTest, StatesComeBackAsTheyWere) {
 }
 
 TEST_F(NeutralSceneTest, BodiesThatAreLedAreNotHandedOver) {
-    const std::string lift = R"(
-[[entity]]
-name = "lift"
-position_m = [0, 1, 0]
-[entity.body]
-kind = "kinematic"
-shape = { box = [1, 0.1, 1] }
-)";
-    EXPECT_TRUE(not_handed(play(std::string(kFalling) + lift)).empty());
-    EXPECT_EQ(not_handed(play(std::string(kFalling) + lift +
-                              "motion = { points_m = [], spin_degps = [0, 90, 0] }\n")),
+    const std::string name = "[[entity]]\nname = \"table\"\nposition_m = [0, 1, 0]\n";
+    const std::string motion = "motion = { points_m = [], spin_degps = [0, 90, 0] }\n";
+    const std::string body = "[entity.body]\nkind = \"kinematic\"\nshape = { box = [1, 0.1, 1] }\n";
+    EXPECT_TRUE(not_handed(play(std::string(kFalling) + name + body)).empty());
+    EXPECT_EQ(not_handed(play(std::string(kFalling) + name + motion + body)),
               std::vector<std::string>{"a body that is led"});
 }
 
