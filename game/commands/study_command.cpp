@@ -360,10 +360,12 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
                      options.budget_ms,
                      "Scenes: print only the settings for this CPU budget, ms per frame")
         ->check(positive_up_to(1e6));
-    study->add_option("--engines",
-                      options.engines,
-                      "Scenes: measure these engines too: jolt, rapier, physx, havok, bullet, ode, "
-                      "with commas, or all");
+    study
+        ->add_option("--engines",
+                     options.engines,
+                     "Scenes: measure these engines too: jolt, rapier, physx, havok, bullet, ode, "
+                     "with commas, or all")
+        ->excludes("--effects", "--picture", "--merge");
     return study;
 }
 
@@ -380,11 +382,13 @@ ExitCode run_study(const StudyOptions& options) {
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
     if (const Result<Done> there = study::check_programs(); !there) return refuse(there.error());
+    if (!options.engines.empty() && chosen->scenes.empty())
+        return refuse({.message = "--engines needs a scene", .exit_code = ExitCode::BadUsage});
+    const auto engines = study::installed_engines(options.engines);
+    if (!engines) return refuse(engines.error());
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);
-    const auto engines = study::installed_engines(options.engines);
-    if (!engines) return refuse(engines.error());
     const Result<std::size_t> runs = add_scenarios(options, *chosen, findings);
     if (!runs) return refuse(runs.error());
     if (const Result<Done> added = add_scenes(options, *chosen, *engines, *runs, findings); !added)

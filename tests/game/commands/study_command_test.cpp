@@ -65,6 +65,12 @@ TEST_F(StudyCommand, EffectsWithoutASceneAreHeldToTheirReferences) {
     EXPECT_TRUE(std::filesystem::exists(folder / "report.html"));
 }
 
+TEST_F(StudyCommand, EnginesRunScenes) {
+    const CommandRun scenario = studied({.cases = {"A20"}, .engines = "bullet"});
+    EXPECT_EQ(scenario.code, ExitCode::BadUsage);
+    EXPECT_EQ(scenario.said, "plumbline: error: --engines needs a scene\n");
+}
+
 TEST_F(StudyCommand, ImagesAreOfScenes) {
     EXPECT_EQ(studied({.image = true}).said, "plumbline: error: --picture needs a scene\n");
     const CommandRun scenario = studied({.cases = {"A20"}, .image = true});
