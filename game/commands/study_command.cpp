@@ -381,9 +381,9 @@ ExitCode run_study(const StudyOptions& options) {
     if (options.image) return study_each_scene("--picture", options, add_image);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
-    if (const Result<Done> there = study::check_programs(); !there) return refuse(there.error());
     if (!options.engines.empty() && chosen->scenes.empty())
         return refuse({.message = "--engines needs a scene", .exit_code = ExitCode::BadUsage});
+    if (const Result<Done> there = study::check_programs(); !there) return refuse(there.error());
     const auto engines = study::installed_engines(options.engines);
     if (!engines) return refuse(engines.error());
     const Result<fs::path> folder = output_folder(options);
