@@ -72,7 +72,7 @@ function peerCurves(peers) {
     name: i === 0 ? "other engines" : "", color: GREY, dash: "solid", width: 0.7, symbol: "disc", size: 2.4,
     points: peers.filter(peer => peer.engine === engine && peer.cost > 0).map((peer, k) => ({
       x: peer.cost, y: drawnError(peer.error, "float32"), label: k === 0 ? engine : "",
-      tip: `${engine}, ${peer.text}: ${errorText(peer.error)}, ${numberText(peer.cost)} ms a frame` })) }));
+      tip: `${engine} ${peer.text}: ${errorText(peer.error)}, ${numberText(peer.cost)} ms a frame` })) }));
 }
 
 /** The runs that no other beats, with a bar to their worst frame. */

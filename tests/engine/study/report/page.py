@@ -115,6 +115,8 @@ class Drawn(unittest.TestCase):
         runs = [tip for tip in tips if tip.startswith(("small_step", "bullet_si"))]
         self.assertEqual(len(runs), len(findings("study")["subjects"][0]["points"]))
         self.assertTrue(any(tip.startswith("ode-lcp 60 Hz: ") for tip in tips), tips)
+        self.assertIn("Jolt Physics 9.9 (wasm) 60 Hz, 50 iterations: 2 %, 0.1 ms a frame", tips)
+        self.assertIn("ODE 0.1, 60 Hz: refused: it lacks a cone", said(self.section("s1")))
 
     def test_both_layouts_hold_the_same(self):
         narrow = drawn("study", "narrow")

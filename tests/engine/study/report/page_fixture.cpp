@@ -42,6 +42,19 @@ study::Findings awkward_findings() {
     findings.clock_spread = 0.4;
     findings.subjects[0].peer_scene = "chainv";
     findings.subjects[0].metrics[0].name = "stretch at the end";
+    findings.subjects[0].engines = {{.setting = {"jolt", 60, {{"iterations", 50}}},
+                                     .title = "Jolt Physics",
+                                     .text = "60 Hz, 50 iterations",
+                                     .version = "9.9",
+                                     .webassembly = true,
+                                     .errors = {0.02},
+                                     .cost = {.ms_per_s_min = 6}},
+                                    {.setting = {"ode", 60, {}},
+                                     .title = "ODE",
+                                     .text = "60 Hz",
+                                     .version = "0.1",
+                                     .status = study::RunStatus::Refused,
+                                     .why = "it lacks a cone"}};
     findings.subjects.push_back(awkward_subject());
     findings.subjects.emplace_back();
     findings.subjects.push_back(test::sample_subject("one point"));
