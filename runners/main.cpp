@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace plumbline::engines {
-
 namespace {
 
 void say(const Json& json) {
@@ -35,15 +34,12 @@ Json advance(EngineWorld& world, const Json& scene, const Json& request) {
         world.step();
         step_ms.push_back(wall.lap_ms());
     }
-    Json answer{{"cpu_ms", cpu.ms()}, {"step_ms", step_ms}};
-    if (request.at("wants_states")) {
-        const std::vector<std::size_t> moving = scene.at("moving");
-        std::vector<double> states(moving.size() * kNumbers);
-        for (std::size_t i = 0; i < moving.size(); ++i)
-            world.get_state(moving[i], std::span(states).subspan(i * kNumbers).first<kNumbers>());
-        answer["states"] = states;
-    }
-    return answer;
+    const double cpu_ms = cpu.ms();
+    const std::vector<std::size_t> moving = scene.at("moving");
+    std::vector<double> states(moving.size() * kNumbers);
+    for (std::size_t i = 0; i < moving.size(); ++i)
+        world.get_state(moving[i], std::span(states).subspan(i * kNumbers).first<kNumbers>());
+    return {{"cpu_ms", cpu_ms}, {"step_ms", step_ms}, {"states", states}};
 }
 
 void answer_lines(const Engine& engine) {

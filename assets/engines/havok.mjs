@@ -2,7 +2,7 @@
 // speed that no scene reaches.
 import { readFileSync } from "node:fs";
 
-import { Lacks, coneAngle, distances, refuseSpecials, rotate, seenFrom, across } from "./scene.mjs";
+import { Lacks, across, distances, refuseSpecials, refuseTurns, rotate, seenFrom } from "./scene.mjs";
 
 const PACKAGE = "@babylonjs/havok";
 
@@ -118,7 +118,7 @@ class World {
     }
     if (joint.kind === "cone" && (joint.limits || joint.twist_limits)) throw new Lacks("a round cone of limits");
     if (joint.limits && (joint.kind === "hinge" || joint.kind === "slider")) {
-      if (joint.kind === "hinge" && Math.max(-joint.limits[0], joint.limits[1]) > Math.PI) throw new Lacks("a hinge that counts turns");
+      refuseTurns(joint);
       limit(free[0], joint.limits);
     }
     if (joint.motor) {

@@ -1,6 +1,6 @@
 // Jolt Physics as WebAssembly (npm: jolt-physics): its own defaults, but no damping beyond the scene's, no sleep, gyroscopic
 // torque, and no limit of speed that a scene reaches.
-import { Lacks, across, coneAngle, distances, layers, refuseSpecials } from "./scene.mjs";
+import { Lacks, across, coneAngle, distances, layers, refuseSpecials, refuseTurns } from "./scene.mjs";
 
 export async function load(packages) {
   const { default: init } = await packages.load("jolt-physics");
@@ -197,7 +197,7 @@ class World {
     both(settings, ["mPoint"], point);
     both(settings, [isHinge ? "mHingeAxis" : "mSliderAxis"], axis);
     both(settings, ["mNormalAxis"], normal);
-    if (isHinge && joint.limits && Math.max(-joint.limits[0], joint.limits[1]) > Math.PI) throw new Lacks("a hinge that counts turns");
+    refuseTurns(joint);
     if (joint.limits) [settings.mLimitsMin, settings.mLimitsMax] = joint.limits;
     if (joint.motor) this.motor(settings.mMotorSettings, joint.motor.max, isHinge);
     const made = Jolt.castObject(make(settings), isHinge ? Jolt.HingeConstraint : Jolt.SliderConstraint);

@@ -1,5 +1,5 @@
 // Rapier as WebAssembly (npm: @dimforge/rapier3d-compat): its own defaults, but no sleep.
-import { Lacks, add, distances, refuseSpecials, rotate, scale, seenFrom, turnXTo } from "./scene.mjs";
+import { Lacks, distances, refuseSpecials, refuseTurns, rotate, seenFrom, turnXTo } from "./scene.mjs";
 
 const PACKAGE = "@dimforge/rapier3d-compat";
 const vec = ([x, y, z]) => ({ x, y, z });
@@ -10,6 +10,12 @@ export async function load(packages) {
   const rapier = module.default?.World ? module.default : module;
   await rapier.init();
   return { version: packages.version(PACKAGE), world: scene => new World(rapier, scene) };
+}
+
+/** Its sliders have one axis for both bodies' frames. */
+function refuseTurned(a, b) {
+  const isTurned = b ? !b.turn.every((each, i) => Math.abs(each - a.turn[i]) < 1e-6) : Math.abs(a.turn[3]) < 1 - 1e-12;
+  if (isTurned) throw new Lacks("a slider between bodies that are turned against each other");
 }
 
 class World {
@@ -60,7 +66,7 @@ class World {
 
   /** Axes are along the second body's frame, so that one seen from the first leads to the other. */
   join(scene, joint) {
-    const { JointData, JointAxesMask, RigidBodyDesc } = this.rapier;
+    const { JointData, RigidBodyDesc } = this.rapier;
     const a = scene.bodies[joint.a], b = joint.b >= 0 ? scene.bodies[joint.b] : undefined;
     const made_b = b ? this.list[joint.b] : (this.anchor ??= this.world.createRigidBody(RigidBodyDesc.fixed()));
     const turn = turnXTo(joint.axis);
@@ -72,7 +78,7 @@ class World {
       cone: () => { if (joint.limits || joint.twist_limits) throw new Lacks("limits of a cone joint"); return JointData.spherical(p, q); },
       fixed: () => JointData.fixed(p, quat(on_b.turn), q, quat(on_a.turn)),
       hinge: () => JointData.revoluteWithAxes(p, q, axisOn(on_b), axisOn(on_a)),
-      slider: () => this.sliderOf(JointData, joint, a, b, p, q),
+      slider: () => { refuseTurned(a, b); return JointData.prismatic(p, q, axisOn(on_a)); },
       spring: () => JointData.spring(joint.rest_length_m, joint.stiffness_Npm, joint.damping_Nspm, p, q),
       distance: () => {
         const [least, most] = distances(joint);
@@ -84,18 +90,10 @@ class World {
     const made = this.world.createImpulseJoint(data, made_b, this.list[joint.a], true);
     made.setContactsEnabled(joint.collide);
     if (joint.limits && (joint.kind === "hinge" || joint.kind === "slider")) {
-      if (joint.kind === "hinge" && Math.max(-joint.limits[0], joint.limits[1]) > Math.PI) throw new Lacks("a hinge that counts turns");
+      refuseTurns(joint);
       made.setLimits(...joint.limits);
     }
     if (joint.motor) throw new Lacks("a motor with a largest force");
-  }
-
-  sliderOf(JointData, joint, a, b, p, q) {
-    const isTurned = b && !b.turn.every((each, i) => Math.abs(each - a.turn[i]) < 1e-6);
-    const isTurnedWorld = !b && Math.abs(a.turn[3]) < 1 - 1e-12;
-    if (isTurned || isTurnedWorld) throw new Lacks("a slider between bodies that are turned against each other");
-    const frame = seenFrom(a, add(joint.anchor_a_m, scale(joint.axis, 0)), turnXTo(joint.axis));
-    return JointData.prismatic(p, q, vec(rotate(frame.turn, [1, 0, 0])));
   }
 
   setState(i, [x, y, z, qx, qy, qz, qw, vx, vy, vz, wx, wy, wz]) {

@@ -47,16 +47,20 @@ export const distances = joint => joint.limits ?? [joint.rest_length_m, joint.re
 export const coneAngle = joint => joint.limits ? Math.max(Math.abs(joint.limits[0]), Math.abs(joint.limits[1])) : undefined;
 
 /** What hardly any engine has. */
-export function refuseSpecials(scene, allowed = {}) {
+export function refuseSpecials(scene) {
   for (const body of scene.bodies) {
-    if ((body.rolling_friction_m || body.spinning_friction_m) && !allowed.rolling) throw new Lacks("rolling friction");
-    if (body.kind === "dynamic" && body.linear_factor.some(each => each !== 1) && !allowed.factor)
+    if (body.rolling_friction_m || body.spinning_friction_m) throw new Lacks("rolling friction");
+    if (body.kind === "dynamic" && body.linear_factor.some(each => each !== 1))
       throw new Lacks("bodies held along an axis");
   }
   for (const joint of scene.joints) {
     if (joint.kind === "elastic") throw new Lacks("elastic joints");
     if (joint.breaks) throw new Lacks("joints that break at a force, counted over a step");
   }
+}
+/** Refuses a hinge that may turn farther than `most`, rad: engines know angles up to there. */
+export function refuseTurns(joint, most = Math.PI) {
+  if (joint.kind === "hinge" && joint.limits && Math.max(-joint.limits[0], joint.limits[1]) > most) throw new Lacks("a hinge that counts turns");
 }
 /** Lists of groups and masks that occur, and which of them each body is of. */
 export function layers(scene) {

@@ -4,6 +4,8 @@ import csv
 import json
 import sys
 
+from hard_engines import NAMES
+
 KEPT = "assets/data/engine_cases.csv"  # cases that the table lacks stay as they are there
 table = json.load(open(sys.argv[1], encoding="utf-8"))
 ran = {run["case"] for run in table["runs"]}
@@ -21,5 +23,5 @@ for run in table["runs"]:
         measure = failed[0]["text"].split()[0]
         value = "gone" if failed[0]["value"] is None else f"{failed[0]['value']:.3g}"
     lines.append([run["case"], run["solver"], verdict, measure, value, result["why"]])
-ENGINES = ["small_step", "jolt", "rapier", "physx", "havok", "bullet", "ode"]
+ENGINES = list(NAMES)
 out.writerows(sorted(lines, key=lambda line: (line[0], ENGINES.index(line[1]))))

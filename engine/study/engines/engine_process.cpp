@@ -32,7 +32,7 @@ Result<Json> answer_from(const std::string& line) {
 }
 
 Json json_of(const EngineSteps& steps) {
-    Json json{{"steps", steps.steps}, {"wants_states", steps.wants_states}};
+    Json json{{"steps", steps.steps}};
     for (const auto& [body, numbers] : steps.set) {
         Json& line = json["set"].emplace_back(Json::array({body}));
         for (const double number : numbers) line.push_back(number);
@@ -74,10 +74,7 @@ Result<EngineMoved> EngineProcess::advance(const EngineSteps& steps, double limi
     try {
         answer->at("cpu_ms").get_to(moved.cpu_ms);
         answer->at("step_ms").get_to(moved.step_ms);
-        if (steps.wants_states) {
-            for (const Json& number : answer->at("states"))
-                moved.states.push_back(number_from(number));
-        }
+        for (const Json& number : answer->at("states")) moved.states.push_back(number_from(number));
         moved.is_finite =
             std::ranges::all_of(moved.states, [](double each) { return std::isfinite(each); });
     } catch (const std::exception& error) {

@@ -1,7 +1,7 @@
 // Another engine as a program beside ours, which answers each line with a line, both JSON.
 //
 // It begins with {"version": ...}. Asked {"scene": ...} (neutral_scene.h) it makes a new world and says {}. Asked
-// {"set": [[body, 13 numbers], ...], "gravity_mps2": [...], "steps": n, "wants_states": bool}, of which all but `steps` may be
+// {"set": [[body, 13 numbers], ...], "gravity_mps2": [...], "steps": n}, of which all but `steps` may be
 // left out, it answers {"cpu_ms": of the steps, "step_ms": [...], "states": [13 numbers for each moving body]}. What goes wrong
 // is {"lacks": "a cone"} or {"failed": ...}.
 #pragma once
@@ -22,8 +22,6 @@ inline constexpr std::size_t kNumbersOfBody = 13;
 /// What an engine is asked for.
 struct EngineSteps {
     int steps{1};
-    double step_s{0};  ///< for the message where it takes too long
-    bool wants_states{true};
     std::vector<std::pair<std::size_t, std::span<const double>>> set{};  ///< bodies' numbers
     std::vector<double> gravity_mps2{};                                  ///< three, or none
 };

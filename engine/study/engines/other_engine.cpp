@@ -42,7 +42,7 @@ Result<std::unique_ptr<OtherEngine>> OtherEngine::create(const EngineSetting& se
 }
 
 /// What the simulation says that the engine does not know: a shift, an event of a hard case.
-EngineSteps OtherEngine::steps_since() const {
+EngineSteps OtherEngine::steps_since() {
     EngineSteps steps{.steps = pending_};
     now_ = states_of(simulation_.physics, bodies_);
     const std::span<const double> now(now_);

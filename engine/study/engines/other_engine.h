@@ -31,14 +31,14 @@ public:
 
 private:
     OtherEngine(EngineProcess& process, scene::Simulation& simulation);
-    EngineSteps steps_since() const;
+    EngineSteps steps_since();
 
     EngineProcess& process_;
     scene::Simulation& simulation_;
     std::vector<physics::BodyId> bodies_;
     std::vector<std::size_t> places_;  ///< of `bodies_` among all that were handed over
     std::vector<double> known_;        ///< states that the engine has
-    mutable std::vector<double> now_;  ///< and those of the simulation
+    std::vector<double> now_;          ///< and those of the simulation
     Vec3 gravity_mps2_;
     int pending_{0};  ///< steps that the engine has still to do
 };

@@ -291,7 +291,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
 void HardCaseJudge::after_step(const scene::Simulation& simulation,
                                const std::optional<double>& penetration_m) {
     if (has_ended_) return;
-    penetration_m_ = penetration_m.value_or(max_penetration_m(simulation.physics));
+    penetration_m_ = penetration_m;
     interventions_.add(simulation.physics.report().cost.interventions);
     totals_ = scene::totals_of(simulation);
     // Fields are there once effects are, which is after the judge.

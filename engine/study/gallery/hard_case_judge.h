@@ -111,8 +111,8 @@ private:
     std::vector<RuleState> states_;
     std::vector<physics::ContactEvent> contacts_;
     physics::Interventions interventions_{};
-    scene::Totals totals_{};  ///< after the latest step
-    double penetration_m_{0};
+    scene::Totals totals_{};                 ///< after the latest step
+    std::optional<double> penetration_m_{};  ///< of the latest step, where the points do not say it
     bool knows_fields_{false};
     bool needs_contacts_{false};
     bool has_ended_{false};

@@ -154,7 +154,10 @@ const std::array kMeasures{
     // --- of the world
     Measure{"max_joint_error_m",
             +[](const WorldObservation& look) { return max_joint_error_m(look.world); }},
-    Measure{"penetration_m", +[](const WorldObservation& look) { return look.penetration_m; }},
+    Measure{"penetration_m",
+            +[](const WorldObservation& look) {
+                return look.penetration_m ? *look.penetration_m : max_penetration_m(look.world);
+            }},
     Measure{"energy_gain", &energy_gain},
     Measure{"energy_loss", +[](const WorldObservation& look) { return -energy_gain(look); }},
     Measure{

@@ -6,6 +6,7 @@
 #include "engine/scene/state_report.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -46,9 +47,9 @@ struct WorldObservation {
     const physics::PhysicsWorld& world;
     const scene::Totals& totals;
     const WorldStart& start;
-    double added_energy_J{0};  ///< by the case's events
-    double braked_J{0};        ///< what the energy guard has taken out so far
-    double penetration_m{0};   ///< the deepest
+    double added_energy_J{0};               ///< by the case's events
+    double braked_J{0};                     ///< what the energy guard has taken out so far
+    std::optional<double> penetration_m{};  ///< the deepest; none: the contact points say it
     std::uint32_t removed{0};
 };
 
