@@ -62,13 +62,13 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
     Result<std::vector<study::CaseEntry>> chosen =
         study::select_cases(*all, options.cases, options.tier == "all");
     if (!chosen) return chosen.error();
-    auto engines = study::installed_engines(options.engines);
+    const auto engines = study::installed_engines(options.engines);
     if (!engines) return engines.error();
     study::StabilityTable table =
         study::plan_table(std::move(*chosen),
                           solvers_of(options),
                           options.rates ? std::vector<int>{30, 60, 240} : std::vector<int>{60},
-                          std::move(*engines));
+                          *engines);
     table.command = options.command;
     table.machine = study::machine_text();
     table.build = version_text() + ", " + study::build_text();

@@ -161,9 +161,9 @@ std::vector<std::string> StabilityTable::known_red_faults() const {
 }
 
 StabilityTable plan_table(std::vector<CaseEntry> cases,
-                          std::vector<physics::Solver> solvers,
-                          std::vector<int> rates_hz,
-                          std::vector<const EngineRow*> engines) {
+                          const std::vector<physics::Solver>& solvers,
+                          const std::vector<int>& rates_hz,
+                          const std::vector<const EngineRow*>& engines) {
     StabilityTable table;
     for (std::size_t entry = 0; entry < cases.size(); ++entry) {
         for (const physics::Solver solver : solvers) {
@@ -174,9 +174,6 @@ StabilityTable plan_table(std::vector<CaseEntry> cases,
             table.runs.push_back({.entry = entry, .step_hz = kGameRate_hz, .engine = engine});
     }
     table.cases = std::move(cases);
-    table.solvers = std::move(solvers);
-    table.rates_hz = std::move(rates_hz);
-    table.engines = std::move(engines);
     table.images.resize(table.cases.size());
     return table;
 }

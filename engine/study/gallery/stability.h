@@ -63,9 +63,6 @@ struct StabilityTable {
     bool complete{true};           ///< false: interrupted
     std::optional<Shard> shard{};  ///< its runs only; none: all
     std::vector<CaseEntry> cases;
-    std::vector<physics::Solver> solvers;
-    std::vector<int> rates_hz;
-    std::vector<const EngineRow*> engines{};  ///< at kGameRate_hz
     std::vector<StabilityRun> runs;
     std::vector<std::string> images;  ///< PNG bytes, one per case; empty where there is none
     std::string no_images;            ///< why there are none, or empty
@@ -79,9 +76,9 @@ struct StabilityTable {
 
 /// A table with a run, not yet made, for every case, solver and rate, and for every engine.
 StabilityTable plan_table(std::vector<CaseEntry> cases,
-                          std::vector<physics::Solver> solvers,
-                          std::vector<int> rates_hz,
-                          std::vector<const EngineRow*> engines = {});
+                          const std::vector<physics::Solver>& solvers,
+                          const std::vector<int>& rates_hz,
+                          const std::vector<const EngineRow*>& engines = {});
 
 /// Runs what has no result yet in worker processes; `ended` after each, with how many are done.
 /// False, and complete false, when interrupted. Refused: what run_jobs() refuses.

@@ -57,7 +57,7 @@ StabilityTable plan_of(const Json& json, const std::vector<CaseEntry>& all) {
             throw std::invalid_argument(fmt::format("there is no case \"{}\" here", id));
         cases.push_back(*found);
     }
-    StabilityTable table = plan_table(std::move(cases), std::move(solvers), std::move(rates_hz));
+    StabilityTable table = plan_table(std::move(cases), solvers, rates_hz);
     table.machine = json.at("machine");
     table.build = json.at("build");
     table.made_on = json.at("made_on");

@@ -7,28 +7,14 @@
 namespace plumbline::study {
 namespace {
 
-class NeutralSceneTest : public SceneRunTest {
+class NeutralSceneTest : public PlayedSceneTest {
 protected:
-    /// The scene of this text, started.
-    PlayedScene& play(const std::string& text) {
-        std::ofstream(file_, std::ios::binary) << text;
-        const Result<scene::OpenedScene> opened = open_for_study(file_);
-        EXPECT_TRUE(opened);
-        Result<PlayedScene> made = PlayedScene::create(*opened, library_);
-        EXPECT_TRUE(made);
-        scene_.emplace(std::move(*made));
-        scene_->start();
-        return *scene_;
-    }
     std::vector<physics::BodyId> moving() const {
         std::vector<physics::BodyId> bodies;
         for (const scene::MovingBody& each : scene_->simulation().moving_bodies())
             bodies.push_back(each.body);
         return bodies;
     }
-
-    assets::AssetLibrary library_;
-    std::optional<PlayedScene> scene_;
 };
 
 TEST_F(NeutralSceneTest, HoldsBodiesAndJoints) {

@@ -6,18 +6,12 @@
 namespace plumbline::study {
 namespace {
 
-class OtherEngineTest : public SceneRunTest {
+class OtherEngineTest : public PlayedSceneTest {
 protected:
     /// Answers every line behind the scene's with these states.
     Result<std::unique_ptr<OtherEngine>> start(const std::string& scene,
                                                const std::string& states) {
-        std::ofstream(file_, std::ios::binary) << scene;
-        const Result<scene::OpenedScene> opened = open_for_study(file_);
-        EXPECT_TRUE(opened);
-        Result<PlayedScene> made = PlayedScene::create(*opened, library_);
-        EXPECT_TRUE(made);
-        scene_.emplace(std::move(*made));
-        scene_->start();
+        play(scene);
         const std::string answer = R"({"cpu_ms":1,"step_ms":[1],"states":[)" + states + "]}";
         Result<EngineProcess> process = EngineProcess::start(
             {.program = "sh",
@@ -32,11 +26,9 @@ protected:
     }
     void TearDown() override {
         std::filesystem::remove(asked_);
-        SceneRunTest::TearDown();
+        PlayedSceneTest::TearDown();
     }
 
-    assets::AssetLibrary library_;
-    std::optional<PlayedScene> scene_;
     std::optional<EngineProcess> process_;
     std::filesystem::path asked_{file_.string() + ".asked"};
 };

@@ -29,21 +29,9 @@ kind = "static"
 shape = { box = [1, 1, 1] }
 )";
 
-class MovingSamplesTest : public SceneRunTest {
+class MovingSamplesTest : public PlayedSceneTest {
 protected:
-    MovingSamples samples() {
-        std::ofstream(file_, std::ios::binary) << kTwo;
-        const Result<scene::OpenedScene> opened = open_for_study(file_);
-        EXPECT_TRUE(opened);
-        Result<PlayedScene> made = PlayedScene::create(*opened, library_);
-        EXPECT_TRUE(made);
-        scene_.emplace(std::move(*made));
-        scene_->start();
-        return MovingSamples(scene_->simulation());
-    }
-
-    assets::AssetLibrary library_;
-    std::optional<PlayedScene> scene_;
+    MovingSamples samples() { return MovingSamples(play(kTwo).simulation()); }
 };
 
 TEST_F(MovingSamplesTest, OnlyWhatMovesByItselfCounts) {

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,25 @@ protected:
 
     std::filesystem::path file_{std::filesystem::temp_directory_path() /
                                 ("plumbline_scene_run_" + std::to_string(getpid()) + ".toml")};
+};
+
+/// A scene of a text as studies play it.
+class PlayedSceneTest : public SceneRunTest {
+protected:
+    /// Started.
+    PlayedScene& play(std::string_view text) {
+        std::ofstream(file_, std::ios::binary) << text;
+        const Result<scene::OpenedScene> opened = open_for_study(file_);
+        EXPECT_TRUE(opened);
+        Result<PlayedScene> made = PlayedScene::create(*opened, library_);
+        EXPECT_TRUE(made);
+        scene_.emplace(std::move(*made));
+        scene_->start();
+        return *scene_;
+    }
+
+    assets::AssetLibrary library_;
+    std::optional<PlayedScene> scene_;
 };
 
 }  // namespace plumbline::study
