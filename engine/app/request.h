@@ -45,6 +45,15 @@ struct StartGhost {
     GhostFrom from{GhostFrom::Here};
 };
 struct StopGhost {};
+/// Of the scene that runs, from its present state.
+struct StartStudy {};
+struct StopStudy {};
+/// Of the levels of the image, from where the game looks.
+struct StartPictureStudy {};
+struct StopPictureStudy {};
+struct SetImageLevel {
+    QualityLevel level{};
+};
 struct ShowHintsAgain {};
 struct Quit {};
 
@@ -63,6 +72,11 @@ using Request = std::variant<WorldRequest,
                              AdoptAccuracy,
                              StartGhost,
                              StopGhost,
+                             StartStudy,
+                             StopStudy,
+                             StartPictureStudy,
+                             StopPictureStudy,
+                             SetImageLevel,
                              ShowHintsAgain,
                              Quit>;
 using Requests = std::vector<Request>;

@@ -5,7 +5,10 @@
 #include "engine/study/image/image_reference.h"
 #include "engine/study/image/image_variants.h"
 #include "engine/study/progress.h"
+#include "game/command_line/camera_text.h"
 #include "game/offscreen/offscreen_studio.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +25,12 @@ constexpr std::uint32_t kManyLooks = 8;  // for horizons, in the reference
 constexpr int kPairs = 4;
 constexpr int kFramesOfATurn = 3;
 
+/// Absent: the scene's own.
+using View = std::optional<scene::ViewPoint>;
+
 /// The frame as light, of level high: no curve, no glow between the scene's light and the screen.
-render::RenderFrame frame_of_high(OffscreenStudio& studio) {
-    render::RenderFrame frame = studio.run->frame();
+render::RenderFrame frame_of_high(OffscreenStudio& studio, const View& view) {
+    render::RenderFrame frame = studio.run->frame(view);
     frame.quality = render::quality_of(render::QualityLevel::High);
     frame.post.reset();
     // Light of the air and lenses mix what rays tell apart.
@@ -40,8 +46,8 @@ Result<assets::ImageData> drawn(OffscreenStudio& studio, const render::RenderFra
     return studio.run->pixels();
 }
 
-Result<study::LightImage> make_reference(OffscreenStudio& studio) {
-    render::RenderFrame frame = frame_of_high(studio);
+Result<study::LightImage> make_reference(OffscreenStudio& studio, const View& view) {
+    render::RenderFrame frame = frame_of_high(studio, view);
     const study::IsShaded is_shaded = study::shaded_by_rays(frame, studio.session->library);
     frame.width_px *= kSamplesPerSide;
     frame.height_px *= kSamplesPerSide;
@@ -61,11 +67,11 @@ Result<study::LightImage> make_reference(OffscreenStudio& studio) {
 
 /// CPU ms of a frame, of all threads, while the scene goes on; the last one is read back, so that all
 /// are really there.
-double frame_ms(OffscreenStudio& studio, const study::ImageVariant& variant) {
+double frame_ms(OffscreenStudio& studio, const View& view, const study::ImageVariant& variant) {
     double drawing_s = 0;
     for (int i = -1; i < kFramesOfATurn; ++i) {
         studio.run->simulate(1);
-        render::RenderFrame frame = studio.run->frame();
+        render::RenderFrame frame = studio.run->frame(view);
         frame.quality = render::quality_of(render::QualityLevel::High);
         variant.apply(frame);
         const double start_s = process_cpu_s();
@@ -78,15 +84,16 @@ double frame_ms(OffscreenStudio& studio, const study::ImageVariant& variant) {
 }
 
 void measure_cost(OffscreenStudio& studio,
+                  const View& view,
                   const study::ImageVariant& variant,
                   const study::ImageVariant& base,
                   study::ImageRow& row) {
     std::vector<double> ms;
     std::vector<double> base_ms;
     for (int i = 0; i < kPairs && !interrupted(); ++i) {
-        if (i % 2 == 0) base_ms.push_back(frame_ms(studio, base));
-        ms.push_back(frame_ms(studio, variant));
-        if (i % 2 == 1) base_ms.push_back(frame_ms(studio, base));
+        if (i % 2 == 0) base_ms.push_back(frame_ms(studio, view, base));
+        ms.push_back(frame_ms(studio, view, variant));
+        if (i % 2 == 1) base_ms.push_back(frame_ms(studio, view, base));
     }
     row.cpu_ms = ms.empty() ? 0.0 : *std::ranges::min_element(ms);
     row.more_ms = study::paired_difference(ms, base_ms);
@@ -94,22 +101,32 @@ void measure_cost(OffscreenStudio& studio,
 
 }  // namespace
 
-Result<ImageStudy> study_image(const std::filesystem::path& scene, std::optional<double> seconds) {
-    Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
+Result<ImageStudy> study_image(const ImageStudyOptions& options) {
+    Result<OffscreenStudio> studio = OffscreenStudio::open(options.scene);
     if (!studio) return studio.error();
-    const double steps = seconds.value_or(kUsual_s) / studio->session->simulation->step_s();
+    View view;
+    if (!options.camera.empty()) {
+        view = parse_camera(options.camera,
+                            studio->session->simulation->description().camera.fov_y_rad);
+        if (!view)
+            return Error{
+                .message = fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera),
+                .exit_code = ExitCode::BadUsage};
+    }
+    const double steps = options.seconds.value_or(kUsual_s) / studio->session->simulation->step_s();
     studio->run->simulate(static_cast<std::uint64_t>(std::llround(steps)));
-    Result<study::LightImage> reference = make_reference(*studio);
+    Result<study::LightImage> reference = make_reference(*studio, view);
     if (!reference) return reference.error();
-    ImageStudy made{.findings = {.scene = scene.filename().string(),
+    ImageStudy made{.findings = {.scene = options.scene.filename().string(),
                                  .width_px = reference->width_px,
                                  .height_px = reference->height_px,
                                  .samples_per_pixel = kSamplesPerSide * kSamplesPerSide,
                                  .mean_luminance = study::mean_luminance(*reference)},
                     .reference = std::move(*reference)};
 
-    const render::RenderFrame high = frame_of_high(*studio);
-    const std::vector<study::ImageVariant> variants = study::image_variants(high);
+    const render::RenderFrame high = frame_of_high(*studio, view);
+    std::vector<study::ImageVariant> variants = study::image_variants(high);
+    if (options.levels_only) variants.resize(study::kImageLevels);
     for (const study::ImageVariant& variant : variants) {
         render::RenderFrame frame = high;
         variant.apply(frame);
@@ -122,7 +139,7 @@ Result<ImageStudy> study_image(const std::filesystem::path& scene, std::optional
     study::ProgressBar bar(study::ProgressBar::Shown::Yes);
     const double start_s = wall_s();
     for (std::size_t i = 0; i < variants.size() && !interrupted(); ++i) {
-        measure_cost(*studio, variants[i], variants.front(), made.findings.rows[i]);
+        measure_cost(*studio, view, variants[i], variants.front(), made.findings.rows[i]);
         const double share = static_cast<double>(i + 1) / static_cast<double>(variants.size());
         bar.show(share, (wall_s() - start_s) * (1.0 - share) / share);
     }

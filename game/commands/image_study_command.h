@@ -16,7 +16,13 @@ struct ImageStudy {
     bool complete{true};  ///< false: interrupted; rows not measured by then are missing
 };
 
-/// Draws the scene as it is after `seconds` (not given: 2) from its own camera. No usable GL: exit code 3.
-Result<ImageStudy> study_image(const std::filesystem::path& scene, std::optional<double> seconds);
+struct ImageStudyOptions {
+    std::filesystem::path scene{};
+    std::optional<double> seconds{};  ///< simulated before; not given: 2
+    std::string camera{};             ///< parse_camera(); empty: the scene's own
+    bool levels_only{false};          ///< low, medium and high, without what they consist of
+};
+/// No usable GL: exit code 3.
+Result<ImageStudy> study_image(const ImageStudyOptions& options);
 
 }  // namespace plumbline::game

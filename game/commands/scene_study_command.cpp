@@ -5,6 +5,7 @@
 #include "engine/study/auto_preset/study_cache.h"
 #include "engine/study/machine.h"
 #include "engine/study/progress.h"
+#include "game/commands/saved_start.h"
 
 #include <fmt/format.h>
 
@@ -27,10 +28,10 @@ Result<scene::OpenedScene> opened(const std::filesystem::path& scene) {
 std::optional<study::SceneStudy> kept_study(const SceneStudyCommand& command,
                                             const std::filesystem::path& folder,
                                             const study::StudyKey& key) {
-    if (!command.engines.empty()) return {};
+    if (!command.engines.empty() || !command.load_file.empty()) return {};
     if (!command.wish.tolerance && !command.wish.budget_ms) return {};
     std::optional<study::CachedStudy> kept = study::find_study(folder, key);
-    if (!kept || kept->grid != study::GridSize::Full) return {};
+    if (!kept || kept->grid != study::GridSize::Full || kept->study.from_s > 0) return {};
     if (command.seconds && std::abs(*command.seconds - kept->study.seconds) > 1e-3) return {};
     std::cerr << fmt::format("from the cached study {}\n", kept->made_on);
     return std::move(kept->study);
@@ -57,11 +58,18 @@ Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
         print(command, *kept);
         return std::move(*kept);
     }
+    std::optional<study::SceneStart> start;
+    if (!command.load_file.empty()) {
+        Result<study::SceneStart> saved = saved_start(command.load_file, command.scene);
+        if (!saved) return saved.error();
+        start = std::move(*saved);
+    }
     Result<study::SceneStudy> made = [&] {
         study::ProgressBar bar(study::ProgressBar::Shown::Yes);
         return study::study_scene({.scene = command.scene,
+                                   .start = start,
                                    .seconds = command.seconds,
-                                   .workers = study::default_workers(),
+                                   .workers = {.count = study::default_workers()},
                                    .engines = command.engines,
                                    .progress = [&](const study::StudyProgress& progress) {
                                        bar.show(progress.share, progress.left_s);

@@ -11,7 +11,8 @@
 namespace plumbline::game {
 
 struct SceneStudyCommand {
-    std::filesystem::path scene{};  ///< a file
+    std::filesystem::path scene{};      ///< a file
+    std::filesystem::path load_file{};  ///< a saved game to continue from; empty: from the start
     std::optional<double> seconds{};
     std::vector<const study::EngineRow*> engines{};  ///< other engines, measured too
     study::Wish

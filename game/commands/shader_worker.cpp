@@ -159,7 +159,7 @@ void ShadersAhead::start(const app::Session& session,
          .arguments = {"shader-worker", session.description().file.string(), done.string()},
          .own_group = true,
          .silent = true,
-         .low_priority = true});
+         .priority = Priority::Low});
     if (started) worker_ = std::move(*started);
 }
 

@@ -28,7 +28,6 @@
 #include "game/commands/image_study_command.h"
 #include "game/commands/scene_study_command.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -159,6 +158,7 @@ Result<Done> add_scenes(const StudyOptions& options,
         if (findings.shard && !findings.shard->has(runs_before++)) continue;
         Result<study::SceneStudy> made = run_scene_study(
             {.scene = scene,
+             .load_file = options.load_file,
              .seconds = options.seconds,
              .engines = engines,
              .wish = {.tolerance = options.tolerance, .budget_ms = options.budget_ms}});
@@ -217,7 +217,10 @@ Result<Done> add_image(const StudyOptions& options,
                        const fs::path& scene,
                        const fs::path& folder,
                        study::Findings& findings) {
-    Result<ImageStudy> made = study_image(scene, options.seconds);
+    Result<ImageStudy> made = study_image({.scene = scene,
+                                           .seconds = options.seconds,
+                                           .camera = options.camera,
+                                           .levels_only = options.quick});
     if (!made) return made.error();
     std::cout << study::image_text(made->findings) << std::flush;
     findings.complete = made->complete;
@@ -321,54 +324,6 @@ ExitCode study_each_scene(const char* option, const StudyOptions& options, Measu
 
 }  // namespace
 
-CLI::App* add_study(CLI::App& app, StudyOptions& options) {
-    CLI::App* study =
-        app.add_subcommand("study", "Measure error against CPU time for scenarios or scenes");
-    study->add_option(
-        "cases",
-        options.cases,
-        "Scenarios (A20, or A for all starting with A) or scenes; default: all scenarios");
-    CLI::Option* out = study->add_option(
-        "--out",
-        options.out,
-        "Folder for report.html, findings.json and findings.csv; default: a new one in "
-        "~/.local/share/plumbline/studies");
-    add_shard_options(*study, *out, options.shard, options.merge);
-    study->add_flag("--quick", options.quick, "Two solvers and four step rates only");
-    study->add_flag("--list", options.list, "List all scenarios");
-    study
-        ->add_flag("--effects",
-                   options.effects,
-                   "Effects against their references, or what each effect of a scene costs")
-        ->excludes("--shard", "--merge");
-    study
-        ->add_flag("--picture",
-                   options.image,
-                   "Measure image cost and error against a reference with exact shadows")
-        ->excludes("--effects", "--shard", "--merge");
-    study->add_option("--jobs", options.jobs, "Parallel runs; default: number of cores")
-        ->check(CLI::Range(1, 256));
-    study->add_option("--seconds", options.seconds, "Scenes: simulated time in seconds")
-        ->check(positive_up_to(kLongestRun_s));
-    study
-        ->add_option("--tolerance",
-                     options.tolerance,
-                     "Scenes: print only the settings for this maximum relative error")
-        ->check(positive_up_to(1.0));
-    study
-        ->add_option("--budget-ms",
-                     options.budget_ms,
-                     "Scenes: print only the settings for this CPU budget, ms per frame")
-        ->check(positive_up_to(1e6));
-    study
-        ->add_option("--engines",
-                     options.engines,
-                     "Scenes: measure these engines too: jolt, rapier, physx, havok, bullet, ode, "
-                     "with commas, or all")
-        ->excludes("--effects", "--picture", "--merge");
-    return study;
-}
-
 ExitCode run_study(const StudyOptions& options) {
     if (options.list) {
         list_scenarios();
@@ -383,6 +338,9 @@ ExitCode run_study(const StudyOptions& options) {
     if (!chosen) return refuse(chosen.error());
     if (!options.engines.empty() && chosen->scenes.empty())
         return refuse({.message = "--engines needs a scene", .exit_code = ExitCode::BadUsage});
+    if (!options.load_file.empty() && (chosen->scenes.size() != 1 || !chosen->scenarios.empty()))
+        return refuse({.message = "--load needs one scene: that of the saved game",
+                       .exit_code = ExitCode::BadUsage});
     if (const Result<Done> there = study::check_programs(); !there) return refuse(there.error());
     const auto engines = study::installed_engines(options.engines);
     if (!engines) return refuse(engines.error());

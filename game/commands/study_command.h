@@ -25,7 +25,9 @@ struct StudyOptions {
     bool list{false};
     bool effects{false};
     bool image{false};
-    int jobs{0};  ///< 0: as many as there are cores
+    int jobs{0};                      ///< 0: as many as there are cores
+    std::filesystem::path load_file;  ///< a saved game of the one scene; empty: from its start
+    std::string camera;               ///< of --picture; empty: the scene's own
     std::optional<double> seconds{};
     std::optional<double> tolerance{};
     std::optional<double> budget_ms{};

@@ -2,7 +2,6 @@
 
 #include "engine/physics/debug_lines.h"
 #include "engine/physics/totals.h"
-#include "engine/study/auto_preset/study_cache.h"
 #include "engine/study/findings/fidelity_price.h"
 
 #include <algorithm>
@@ -49,12 +48,7 @@ void add_wide(const LineList& thin, const Vec3f& eye_world, LineList& lines) {
 }  // namespace
 
 void AccuracyControl::watch(bool shown) {
-    if (shown && !watched_) {
-        study_.reset();
-        const std::filesystem::path folder = study::study_cache_folder();
-        if (auto kept = study::find_study(folder, study::study_key(session_.opened())))
-            study_ = std::move(kept->study);
-    }
+    if (shown && !watched_) study.look_up();
     watched_ = shown;
     if (!shown) samples_.clear();
 }
@@ -69,9 +63,9 @@ std::vector<EffectInPlay> AccuracyControl::effects() const {
             effects::effect_table()[i].domain != effects::Domain::Step)
             continue;
         all.push_back({.name = std::string(ledger[i].name), .fidelity = *fidelity});
-        if (study_)
+        if (study.study() != nullptr)
             all.back().price =
-                study::price_text(study::prices_of(study_->subject.points, ledger[i].name));
+                study::price_text(study::prices_of(study.study()->subject.points, ledger[i].name));
     }
     return all;
 }
@@ -112,6 +106,8 @@ Result<Done> AccuracyControl::start_ghost(const study::Setting& setting) {
 void AccuracyControl::take_answers() {
     forget_other_world();
     if (ghost_) ghost_->take_answers();
+    study.take_answers();
+    picture.take_answers();
 }
 
 void AccuracyControl::add_ghost_lines(LineList& lines, const Vec3f& eye_world) const {

@@ -1,12 +1,13 @@
 // Accuracy in play: the gauges of the last second, and the ghost beside the world.
 #pragma once
 
+#include "engine/app/accuracy/picture_study.h"
+#include "engine/app/accuracy/study_control.h"
 #include "engine/app/session.h"
 #include "engine/core/lines.h"
 #include "engine/core/time/frame_clock.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/ghost/ghost.h"
-#include "engine/study/scenes/scene_study.h"
 
 #include <deque>
 #include <optional>
@@ -37,7 +38,7 @@ struct EffectInPlay {
 
 class AccuracyControl {
 public:
-    explicit AccuracyControl(Session& session) : session_(session) {}
+    explicit AccuracyControl(Session& session) : study(session), session_(session) {}
 
     /// Gauges are read only while somebody looks: energy and penetration walk all bodies.
     void watch(bool shown);
@@ -46,7 +47,7 @@ public:
     /// Goes on from the running world's present state. The error is a line for the person.
     Result<Done> start_ghost(const study::Setting& setting);
     void stop_ghost() { ghost_.reset(); }
-    /// Once a frame.
+    /// Once a frame: of the ghost and of the studies.
     void take_answers();
     /// Outlines of the ghost's bodies that are more than a millimetre off the visible ones, as of the
     /// latest time that it has reached.
@@ -56,6 +57,9 @@ public:
     study::Setting setting() const { return session_.accuracy(); }
     std::vector<EffectInPlay> effects() const;
     AccuracyGauges gauges(const FrameClock& clock) const;
+    StudyControl study;
+    PictureStudy picture;
+
     const study::Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
 
 private:
@@ -75,8 +79,7 @@ private:
     std::optional<study::Ghost> ghost_;
     std::deque<Sample> samples_;
     study::Setting sampled_at_{};
-    std::uint64_t generation_{0};             ///< of the world that both belong to
-    std::optional<study::SceneStudy> study_;  ///< of the scene, if one was kept when this was shown
+    std::uint64_t generation_{0};  ///< of the world that both belong to
 };
 
 }  // namespace plumbline::app

@@ -36,6 +36,15 @@ void apply(const Request& request, Frame& frame) {
             [&](const AdoptAccuracy&) { frame.world.adopt_accuracy(); },
             [&](const StartGhost& asked) { frame.world.start_ghost(asked); },
             [&](const StopGhost&) { frame.world.accuracy.stop_ghost(); },
+            [&](const StartStudy&) { frame.world.accuracy.study.start(); },
+            [&](const StopStudy&) { frame.world.accuracy.study.stop(); },
+            [&](const StartPictureStudy&) { frame.world.start_picture_study(); },
+            [&](const StopPictureStudy&) { frame.world.accuracy.picture.stop(); },
+            [&](const SetImageLevel& asked) {
+                AppConfig wanted = frame.state.config();
+                wanted.quality_level = asked.level;
+                frame.input.change_config(wanted);
+            },
             [&](const ShowHintsAgain&) {
                 frame.view.hints.forget();
                 frame.state.messages.say("hints reset");

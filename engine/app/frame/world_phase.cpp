@@ -140,6 +140,11 @@ void WorldPhase::start_ghost(const StartGhost& asked) {
                             : started.error().message);
 }
 
+void WorldPhase::start_picture_study() {
+    const scene::ViewPoint view = session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
+    accuracy.picture.start(session_.description().file, view.world_from_camera);
+}
+
 bool WorldPhase::waits_for_ghost() const {
     const study::Ghost* ghost = accuracy.ghost();
     return ghost != nullptr && ghost->failure().empty() && !ghost->ready();

@@ -27,6 +27,7 @@ public:
     void save_recording();
     void adopt_accuracy();
     void start_ghost(const StartGhost& asked);
+    void start_picture_study();
 
     /// Adds a request where a file of the scene was saved.
     void note_saved_files(double now_s, Requests& requests);

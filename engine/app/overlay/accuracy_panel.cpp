@@ -20,12 +20,6 @@ constexpr ImGuiSliderFlags kSlider = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderF
 constexpr int kMostSubsteps = 32;
 constexpr int kMostIterations = 50;
 
-void text(const std::string& line) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(line.data(), line.data() + line.size());
-    ImGui::PopTextWrapPos();
-}
-
 bool choose_solver(const char* label, Setting& setting) {
     const std::string now(physics::solver_name(setting.solver));
     if (!ImGui::BeginCombo(label, now.c_str())) return false;
@@ -95,7 +89,7 @@ bool choose_fidelities(const std::vector<EffectInPlay>& effects, Setting& settin
             setting.fidelity.push_back({effect.name, static_cast<scene::Fidelity>(level)});
             changed = true;
         }
-        if (!effect.price.empty()) text(effect.price);
+        if (!effect.price.empty()) draw_text(effect.price);
     }
     return changed;
 }
@@ -105,25 +99,25 @@ void draw_gauges(const AccuracyGauges& gauges) {
     const double steps = std::max(1.0, static_cast<double>(cost.step_ms.size()));
     const double other =
         cost.cpu_ms_total - cost.broad_ms - cost.narrow_ms - cost.solve_ms - cost.integrate_ms;
-    text(fmt::format(
+    draw_text(fmt::format(
         "{:.3f} ms per step, {:.1f} ms per second", cost.cpu_ms_total / steps, gauges.ms_per_s));
-    text(fmt::format("broad {:.2f}  narrow {:.2f}  solve {:.2f}  move {:.2f}  other {:.2f}",
-                     cost.broad_ms / steps,
-                     cost.narrow_ms / steps,
-                     cost.solve_ms / steps,
-                     cost.integrate_ms / steps,
-                     std::max(0.0, other / steps)));
-    text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s dropped",
-                     gauges.most_substeps,
-                     gauges.islands,
-                     gauges.lost_s));
-    text(fmt::format(
+    draw_text(fmt::format("broad {:.2f}  narrow {:.2f}  solve {:.2f}  move {:.2f}  other {:.2f}",
+                          cost.broad_ms / steps,
+                          cost.narrow_ms / steps,
+                          cost.solve_ms / steps,
+                          cost.integrate_ms / steps,
+                          std::max(0.0, other / steps)));
+    draw_text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s dropped",
+                          gauges.most_substeps,
+                          gauges.islands,
+                          gauges.lost_s));
+    draw_text(fmt::format(
         "energy {:.4g} J, change {:+.2g} J per second", gauges.energy_J, gauges.energy_change_J));
-    text(fmt::format("penetration {:.2f} mm, joint error {:.2f} mm at most",
-                     gauges.max_penetration_m * 1e3,
-                     gauges.max_joint_error_m * 1e3));
+    draw_text(fmt::format("penetration {:.2f} mm, joint error {:.2f} mm at most",
+                          gauges.max_penetration_m * 1e3,
+                          gauges.max_joint_error_m * 1e3));
     const std::string done = scene::interventions_text(gauges.cost.interventions);
-    text(fmt::format("interventions: {}", done.empty() ? "none" : done));
+    draw_text(fmt::format("interventions: {}", done.empty() ? "none" : done));
 }
 
 void plot(const char* label,
@@ -145,16 +139,6 @@ void plot(const char* label,
                      {0.0F, ImGui::GetTextLineHeight() * 2.2F});
 }
 
-/// Four times the rate, twice the sub-steps, double precision.
-Setting finer(Setting setting) {
-    setting.solver = Solver::SmallStep;
-    setting.step_hz = std::min(setting.step_hz * 4, 480);
-    setting.substeps = std::max(8, setting.substeps * 2);
-    setting.iterations = 1;
-    setting.precision = study::Precision::Float64;
-    return setting;
-}
-
 /// The buttons that make a ghost.
 void offer_ghost(const Setting& setting, Requests& requests) {
     if (ImGui::Button("Ghost from the start"))
@@ -166,15 +150,16 @@ void offer_ghost(const Setting& setting, Requests& requests) {
 void draw_ghost(const AccuracyPanel& shown, Requests& requests) {
     const study::Ghost* ghost = shown.control.ghost();
     if (ghost == nullptr || !ghost->failure().empty()) {
-        text(ghost == nullptr ? "ghost: the same scene at higher accuracy"
-                              : fmt::format("ghost failed: {}", ghost->failure()));
+        draw_text(ghost == nullptr ? "ghost: the same scene at higher accuracy"
+                                   : fmt::format("ghost failed: {}", ghost->failure()));
         // A replay starts as it was recorded.
         if (!shown.replaying) offer_ghost(finer(shown.control.setting()), requests);
         return;
     }
-    text(fmt::format("ghost: {}", study::setting_text(ghost->setting())));
+    draw_text(fmt::format("ghost: {}", study::setting_text(ghost->setting())));
     if (ghost->behind_s() > 0.25)
-        text(fmt::format("{:.1f} s behind: too expensive to run in real time", ghost->behind_s()));
+        draw_text(
+            fmt::format("{:.1f} s behind: too expensive to run in real time", ghost->behind_s()));
     plot("max distance, mm", ghost->history(), &study::GhostDistance::largest_m, 1e3);
     plot("mean distance, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
     plot("this world, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
@@ -182,12 +167,27 @@ void draw_ghost(const AccuracyPanel& shown, Requests& requests) {
     offer_ghost(ghost->setting(), requests);
     ImGui::SameLine();
     if (ImGui::Button("Stop ghost")) requests.push_back(StopGhost{});
-    text(
+    draw_text(
         "Outlines show bodies that are 1 mm or more apart.\nThe ghost does not feel your hands or "
         "what you drop.");
 }
 
 }  // namespace
+
+void draw_text(const std::string& text) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+}
+
+Setting finer(Setting setting) {
+    setting.solver = Solver::SmallStep;
+    setting.step_hz = std::min(setting.step_hz * 4, 480);
+    setting.substeps = std::max(8, setting.substeps * 2);
+    setting.iterations = 1;
+    setting.precision = study::Precision::Float64;
+    return setting;
+}
 
 float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& requests) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -203,17 +203,18 @@ float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& request
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(width * 0.5F);
-    text("Accuracy and cost (last second)");
+    draw_text("Accuracy and cost (last second)");
     ImGui::Separator();
     Setting setting = shown.control.setting();
     if (shown.replaying)
-        text(fmt::format("{}\nAccuracy is locked while replaying.", study::setting_text(setting)));
+        draw_text(
+            fmt::format("{}\nAccuracy is locked while replaying.", study::setting_text(setting)));
     else if (choose_setting(setting))
         requests.push_back(WorldRequest{SetAccuracy{setting}});
     const std::vector<EffectInPlay> effects = shown.control.effects();
     if (!shown.replaying && !effects.empty()) {
         ImGui::Separator();
-        text("Effects; another fidelity starts the scene again");
+        draw_text("Effects; another fidelity starts the scene again");
         if (choose_fidelities(effects, setting))
             requests.push_back(WorldRequest{SetAccuracy{setting}});
         ImGui::Separator();
@@ -221,10 +222,12 @@ float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& request
     // Above all that grows and shrinks, so that it stays where it is.
     if (ImGui::Button("Save copy")) requests.push_back(AdoptAccuracy{});
     ImGui::SameLine();
-    text("Writes this setting into a copy of the scene.");
-    text(fmt::format("{}; plumbline-f64 runs in double precision",
-                     study::word_of(setting.precision)));
-    if (shown.is_hard_case) text("What you throw, push or drop counts in the verdict.");
+    draw_text("Writes this setting into a copy of the scene.");
+    draw_text(fmt::format("{}; plumbline-f64 runs in double precision",
+                          study::word_of(setting.precision)));
+    if (shown.is_hard_case) draw_text("What you throw, push or drop counts in the verdict.");
+    ImGui::Separator();
+    draw_study(shown, requests);
     ImGui::Separator();
     draw_gauges(shown.control.gauges(shown.clock));
     ImGui::Separator();

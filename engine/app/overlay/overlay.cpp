@@ -58,12 +58,15 @@ void Overlay::draw(const OverlayInput& input,
     canvas_.begin(devices);
     float side_px = 0.0F;
     if (input.parts.accuracy && !menu.open())
-        side_px = panels::draw_accuracy({.control = input.accuracy,
-                                         .clock = input.clock,
-                                         .replaying = input.replaying,
-                                         .is_hard_case = input.judge != nullptr},
-                                        canvas_.font_px(),
-                                        requests);
+        side_px = panels::draw_accuracy(
+            {.control = input.accuracy,
+             .clock = input.clock,
+             .replaying = input.replaying,
+             .is_hard_case = input.judge != nullptr,
+             .tolerance = input.simulation.description().accuracy.tolerance.value_or(
+                 study::kUsualTolerance)},
+            canvas_.font_px(),
+            requests);
     float bar_px = 0.0F;
     if (input.animation && input.parts.hud && !menu.open()) {
         bar_px = panels::draw_animation_bar(*input.animation, canvas_.font_px(), requests);

@@ -3,6 +3,7 @@
 
 #include "engine/app/overlay/overlay.h"
 #include "engine/app/ui/hud_layout.h"
+#include "engine/study/scenes/scene_text.h"
 
 #include <string>
 
@@ -23,7 +24,14 @@ struct AccuracyPanel {
     const FrameClock& clock;
     bool replaying{false};
     bool is_hard_case{false};
+    double tolerance{study::kUsualTolerance};  ///< to begin with
 };
+/// What settings cost and how far off they are in this scene, and the buttons that measure it.
+void draw_study(const AccuracyPanel& shown, Requests& requests);
+/// A paragraph.
+void draw_text(const std::string& text);
+/// What a ghost of it runs at: four times the rate, twice the sub-steps, double precision.
+study::Setting finer(study::Setting setting);
 /// Returns how much of the right edge it needs, in pixels.
 float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& requests);
 

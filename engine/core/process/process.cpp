@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 #include <spawn.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -89,6 +90,15 @@ bool feed(int file, std::string_view& input) {
     return true;
 }
 
+void set_priority(pid_t pid, Priority priority) {
+    if (priority == Priority::Same) return;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kLowPriority);
+    if (priority == Priority::Low) return;
+    // Where the system refuses, low it is.
+    const sched_param none{};
+    static_cast<void>(sched_setscheduler(pid, SCHED_IDLE, &none));
+}
+
 }  // namespace
 
 Result<ChildProcess> ChildProcess::start(const ChildDef& def) {
@@ -122,7 +132,7 @@ Result<ChildProcess> ChildProcess::start(const ChildDef& def) {
                                    pointers.data(),
                                    environ);
     if (error != 0) return refused(error);
-    if (def.low_priority) setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kLowPriority);
+    set_priority(pid, def.priority);
     return ChildProcess(pid, input.release(kWriteEnd), output.release(kReadEnd));
 }
 

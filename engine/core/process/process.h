@@ -6,6 +6,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -15,13 +16,19 @@
 
 namespace plumbline {
 
+enum class Priority : std::uint8_t {
+    Same,  ///< as ours
+    Low,   ///< a small share where ours wants all
+    Idle,  ///< what others leave alone
+};
+
 struct ChildDef {
     std::filesystem::path program;  ///< without a slash it is looked for along PATH
     std::vector<std::string> arguments;
-    bool own_group{false};     ///< Ctrl-C on the terminal is for us alone, who end the child
-    bool silent{false};        ///< its messages go nowhere; else where ours go,
-    bool tells_us{false};      ///< or to us, with its output
-    bool low_priority{false};  ///< takes the processor's time that others leave
+    bool own_group{false};  ///< Ctrl-C on the terminal is for us alone, who end the child
+    bool silent{false};     ///< its messages go nowhere; else where ours go,
+    bool tells_us{false};   ///< or to us, with its output
+    Priority priority{Priority::Same};
 };
 
 struct ChildEnd {

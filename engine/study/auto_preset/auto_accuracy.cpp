@@ -44,7 +44,7 @@ Result<SceneStudy> calibrate(const scene::SceneDescription& description) {
     return study_scene({.scene = description.file,
                         .grid = GridSize::Quick,
                         .wall_s = kCalibration_s,
-                        .workers = default_workers()});
+                        .workers = {.count = default_workers()}});
 }
 
 /// Kept, or made now.

@@ -21,6 +21,7 @@ void fields(const auto& field, Like<CachedStudy> auto& cached) {
     field("made_on", cached.made_on);
     field("grid", cached.grid);
     field("seconds", cached.study.seconds);
+    field("from_s", cached.study.from_s);
     field("chaotic", cached.study.chaotic);
     field("subject", cached.study.subject);
 }
@@ -69,7 +70,8 @@ CachedStudy cached_from(const Json& json, const StudyKey& key) {
     auto cached = json.get<CachedStudy>();
     if (cached.study.subject.points.empty()) throw std::runtime_error("it has no settings");
     for (const Point& point : cached.study.subject.points) check(point.setting);
-    if (!std::isfinite(cached.study.seconds) || cached.study.seconds < 0)
+    if (!std::isfinite(cached.study.seconds) || cached.study.seconds < 0 ||
+        !std::isfinite(cached.study.from_s))
         throw std::runtime_error("its seconds are no time");
     return cached;
 }

@@ -1,6 +1,7 @@
 // Small images of end states, by `plumbline render` in child processes: a machine without OpenGL, or
 // a driver that crashes, costs the images and nothing else.
 #include "engine/core/io/files.h"
+#include "engine/core/io/scratch_folder.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process.h"
 #include "engine/study/gallery/stability.h"
@@ -93,14 +94,12 @@ void draw_all(StabilityTable& table, int workers, const fs::path& folder, const 
 }  // namespace
 
 void take_images(StabilityTable& table, int workers, int width_px, int height_px) {
-    std::string name = (fs::temp_directory_path() / "plumbline-images-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        table.no_images = fmt::format("no images: cannot make the folder {}", name);
+    const Result<ScratchFolder> folder = ScratchFolder::make("images");
+    if (!folder) {
+        table.no_images = "no images: " + folder.error().message;
         return;
     }
-    draw_all(table, workers, name, fmt::format("{}x{}", width_px, height_px));
-    std::error_code ignored;
-    fs::remove_all(name, ignored);
+    draw_all(table, workers, folder->path(), fmt::format("{}x{}", width_px, height_px));
 }
 
 }  // namespace plumbline::study

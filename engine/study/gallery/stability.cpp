@@ -201,7 +201,7 @@ Result<bool> run_table(StabilityTable& table,
     }
     std::size_t done = 0;
     const Result<bool> finished =
-        run_jobs(jobs, workers, [&](std::size_t job, const Answer& answer) {
+        run_jobs(jobs, {.count = workers}, [&](std::size_t job, const Answer& answer) {
             StabilityRun& run = table.runs[run_of_job[job]];
             run.result = result_of(answer);
             ended(run, ++done);

@@ -1,7 +1,6 @@
 #include "engine/study/ghost/ghost.h"
 
 #include "engine/scene/simulation/entity_lookup.h"
-#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/workers/worker.h"
 #include "engine/study/workers/worker_pool.h"
 
@@ -67,8 +66,9 @@ Result<Ghost> Ghost::start(scene::Simulation& simulation, const Setting& setting
     Result<ChildProcess> worker = start_worker(programs, setting.precision);
     if (!worker) return worker.error();
     Ghost ghost(std::move(*worker), setting);
-    GhostStart start{
-        .scene = simulation.description().file, .setting = setting, .time_s = simulation.time_s()};
+    GhostStart start{.scene = simulation.description().file,
+                     .setting = setting,
+                     .from = scene_start_of(simulation)};
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (!simulation.physics.contains(moving.body)) continue;
         const physics::BodyState state = simulation.physics.state(moving.body);
@@ -77,11 +77,8 @@ Result<Ghost> Ghost::start(scene::Simulation& simulation, const Setting& setting
                                 .position_m = Vec3d(state.world_from_body.position),
                                 .orientation = Quatd(state.world_from_body.orientation)});
     }
-    Archive archive;
-    serialize_bodies_of_scene(simulation, archive);
-    start.state = archive.take();
-    ghost.latest_ = {.time_s = start.time_s, .bodies = start.bodies};
-    ghost.observed_s_ = ghost.asked_s_ = start.time_s;
+    ghost.latest_ = {.time_s = start.from.time_s, .bodies = start.bodies};
+    ghost.observed_s_ = ghost.asked_s_ = start.from.time_s;
     ghost.ask(start_body(start));
     return ghost;
 }

@@ -1,4 +1,3 @@
-#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/ghost/ghost_state.h"
 #include "engine/study/played_scene.h"
@@ -24,8 +23,8 @@ public:
         Result<PlayedScene> scene = PlayedScene::create(*opened, library_);
         if (!scene) throw std::runtime_error(scene.error().message);
         scene_.emplace(std::move(*scene));
-        take_up(start.state);
-        scene_->simulation().set_time(start.time_s);
+        if (const Result<Done> taken = take_up(start.from, *scene_); !taken)
+            throw std::runtime_error(taken.error().message);
         find_bodies(start.bodies);
         scene_->start();
     }
@@ -51,17 +50,6 @@ public:
     }
 
 private:
-    /// What the visible world carries goes on at the ghost's own accuracy.
-    void take_up(const std::string& state) {
-        scene::Simulation& simulation = scene_->simulation();
-        physics::WorldDef own = simulation.physics.def();
-        Archive archive(state);
-        serialize_bodies_of_scene(simulation, archive);
-        if (archive.failed()) throw std::runtime_error("its state: " + archive.fault());
-        own.gravity_mps2 = simulation.physics.def().gravity_mps2;
-        simulation.set_accuracy(own);
-    }
-
     void find_bodies(const std::vector<GhostBody>& bodies) {
         for (const GhostBody& body : bodies) {
             last_.push_back(body);
@@ -112,7 +100,7 @@ void fields(const auto& field, Like<GhostBody> auto& body) {
 void fields(const auto& field, Like<GhostStart> auto& start) {
     field("scene", start.scene);
     field("setting", start.setting);
-    field("time_s", start.time_s);
+    field("time_s", start.from.time_s);
     field("bodies", start.bodies);
 }
 
@@ -124,7 +112,7 @@ void fields(const auto& field, Like<GhostState> auto& state) {
 
 std::string start_body(const GhostStart& start) {
     Json body{{"start", start}};
-    body["start"]["world"] = hex_of_bytes(start.state);
+    body["start"]["world"] = hex_of_bytes(start.from.state);
     return text_of(body);
 }
 
@@ -146,9 +134,9 @@ RunJob ghost_jobs() {
         if (asked.contains("start")) {
             world->reset();
             auto start = asked.at("start").get<GhostStart>();
-            start.state = bytes_of_hex(asked.at("start").at("world").get<std::string>());
+            start.from.state = bytes_of_hex(asked.at("start").at("world").get<std::string>());
             world->emplace(start);
-            return text_of(Json(GhostState{.time_s = start.time_s, .bodies = start.bodies}));
+            return text_of(Json(GhostState{.time_s = start.from.time_s, .bodies = start.bodies}));
         }
         if (!*world) throw std::runtime_error("a ghost goes on only after it was started");
         return text_of(Json((*world)->go_on(asked.at("go_on_s").get<double>())));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/study/scene_start.h"
 #include "engine/study/setting.h"
 #include "engine/study/workers/worker.h"
 
@@ -23,9 +24,8 @@ struct GhostBody {
 struct GhostStart {
     std::filesystem::path scene{};
     Setting setting{};
-    double time_s{0};
+    SceneStart from{};
     std::vector<GhostBody> bodies{};
-    std::string state{};  ///< Simulation::serialize_bodies_of_scene()
 };
 
 /// Where the ghost's bodies are, in the order of GhostStart::bodies; what the scene does not have

@@ -9,13 +9,15 @@
 
 namespace plumbline::study {
 
+inline constexpr std::size_t kImageLevels = 3;
+
 struct ImageVariant {
     std::string name;
     std::function<void(render::RenderFrame&)> apply;  ///< to a frame of level high
 };
 
-/// Level high first, to which the others are compared. Those of shadows only where the frame has a sun
-/// that casts them.
+/// Level high first, to which the others are compared, then the other levels. Those of shadows only where
+/// the frame has a sun that casts them.
 std::vector<ImageVariant> image_variants(const render::RenderFrame& frame);
 
 }  // namespace plumbline::study

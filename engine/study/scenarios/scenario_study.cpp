@@ -111,7 +111,7 @@ Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
     const double start_s = wall_s();
     double done = 0;
     const Result<bool> ended =
-        run_jobs(jobs, options.workers, [&](std::size_t index, const Answer& answer) {
+        run_jobs(jobs, {.count = options.workers}, [&](std::size_t index, const Answer& answer) {
             points[index] = point_of(planned[index].setting, answer);
             done += planned[index].weight;
             if (options.progress)

@@ -185,8 +185,8 @@ Result<T> read_answer(const Answer& answer) {
 /// Empty where it was interrupted.
 Result<std::vector<EffectCost>> called_for(const EffectsRun& run) {
     Result<std::vector<EffectCost>> listed(std::vector<EffectCost>{});
-    const Result<bool> all =
-        run_jobs(std::vector{job_for(run, {})}, 1, [&](std::size_t, const Answer& answer) {
+    const Result<bool> all = run_jobs(
+        std::vector{job_for(run, {})}, {.count = 1}, [&](std::size_t, const Answer& answer) {
             listed = read_answer<std::vector<EffectCost>>(answer);
         });
     if (!all) return all.error();
@@ -209,18 +209,19 @@ Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int worke
     std::vector<Job> jobs;
     for (const EffectCost& cost : *costs) jobs.push_back(job_for(run, cost.name));
     std::optional<Error> fault;
-    const Result<bool> all = run_jobs(jobs, workers, [&](std::size_t job, const Answer& answer) {
-        const Result<MeasuredPairs> measured = read_answer<MeasuredPairs>(answer);
-        if (!measured) {
-            fault = measured.error();
-            return;
-        }
-        const auto& [with, without, fidelities] = *measured;
-        EffectCost& cost = (*costs)[job];
-        cost.step_ms = paired_difference(with.step_ms, without.step_ms);
-        cost.frame_ms = paired_difference(with.frame_ms, without.frame_ms);
-        cost.fidelities = fidelities;
-    });
+    const Result<bool> all =
+        run_jobs(jobs, {.count = workers}, [&](std::size_t job, const Answer& answer) {
+            const Result<MeasuredPairs> measured = read_answer<MeasuredPairs>(answer);
+            if (!measured) {
+                fault = measured.error();
+                return;
+            }
+            const auto& [with, without, fidelities] = *measured;
+            EffectCost& cost = (*costs)[job];
+            cost.step_ms = paired_difference(with.step_ms, without.step_ms);
+            cost.frame_ms = paired_difference(with.frame_ms, without.frame_ms);
+            cost.fidelities = fidelities;
+        });
     if (!all) return all.error();
     if (fault) return *fault;
     std::erase_if(*costs, [](const EffectCost& cost) { return cost.step_ms.pairs == 0; });

@@ -83,6 +83,14 @@ double guessed_cost(const Setting& setting) {
     return of_a_step * setting.step_hz / 60.0;
 }
 
+double guessed_cost_of_study(GridSize size) {
+    double sum = 6.0 * guessed_cost(reference_setting(120));
+    for (const Setting& setting : scene_grid(size)) {
+        if (setting.step_hz <= 120) sum += 1.3 * guessed_cost(setting);
+    }
+    return sum;
+}
+
 bool same_but_rate(const Setting& a, const Setting& b) {
     Setting at_rate_of_b = a;
     at_rate_of_b.step_hz = b.step_hz;

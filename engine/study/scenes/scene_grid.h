@@ -27,6 +27,9 @@ Setting reference_setting(int step_hz, const std::vector<std::string>& effects =
 /// uses it until a similar setting was measured.
 double guessed_cost(const Setting& setting);
 
+/// ... of the runs that a study is not worth much without: the grid up to 120 Hz, and a reference.
+double guessed_cost_of_study(GridSize size);
+
 /// Whether one differs from the other in its step rate alone.
 bool same_but_rate(const Setting& a, const Setting& b);
 

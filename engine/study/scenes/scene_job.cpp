@@ -6,6 +6,7 @@ namespace plumbline::study {
 
 void fields(const auto& field, Like<SceneRun> auto& run) {
     field("scene", run.scene);
+    field("start", run.start);
     field("setting", run.setting);
     field("engine", run.engine);
     field("moments", run.moments);

@@ -22,12 +22,14 @@ ScenePlan::Finished finished(std::size_t run, const Answer& answer) {
 
 }  // namespace
 
-ScenePlan::ScenePlan(double wall_limit_s, int workers, ReportProgress report)
+ScenePlan::ScenePlan(double wall_limit_s, Workers workers, ReportProgress report)
     : start_s_(wall_s()),
       wall_s_(wall_limit_s),
       expected_s_(wall_limit_s),
-      workers_(std::max(1, workers)),
-      report_(std::move(report)) {}
+      workers_(std::move(workers)),
+      report_(std::move(report)) {
+    workers_.count = std::max(1, workers_.count);
+}
 
 double ScenePlan::spent_s() const {
     return wall_s() - start_s_;
@@ -38,7 +40,7 @@ double ScenePlan::share_of_core() const {
 }
 
 double ScenePlan::cpu_left_s(double share_of_wall) const {
-    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_ * share_of_core();
+    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_.count * share_of_core();
 }
 
 void ScenePlan::expect(double cpu_s) {

@@ -21,9 +21,9 @@ using ReportProgress = std::function<void(const StudyProgress&)>;
 
 class ScenePlan {
 public:
-    ScenePlan(double wall_s, int workers, ReportProgress report);
+    ScenePlan(double wall_s, Workers workers, ReportProgress report);
 
-    int workers() const { return workers_; }
+    int workers() const { return workers_.count; }
     double spent_s() const;
     double left_s() const { return wall_s_ - spent_s(); }
     /// CPU time that all workers together have left, or would have at a share of the wall time, if
@@ -52,7 +52,7 @@ private:
     double start_s_;
     double wall_s_;
     double expected_s_;
-    int workers_;
+    Workers workers_;
     ReportProgress report_;
     bool interrupted_{false};
     double got_cpu_s_{0};

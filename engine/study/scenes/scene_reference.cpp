@@ -33,12 +33,16 @@ double worst_of(const std::vector<double>& errors) {
 
 class ReferenceMaker {
 public:
-    ReferenceMaker(ScenePlan& plan, const SceneProbe& probe, double share)
-        : plan_(plan), probe_(probe), share_(share) {}
+    ReferenceMaker(ScenePlan& plan,
+                   const SceneProbe& probe,
+                   double share,
+                   const UseRoughReference& use_rough)
+        : plan_(plan), probe_(probe), share_(share), use_rough_(use_rough) {}
 
     Result<std::optional<SceneReference>> make() {
         if (const Result<Done> done = first_look(); !done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};
+        if (const Result<Done> done = use_rough(); !done) return done.error();
         if (const Result<Done> done = refine(); !done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};
         if (levels_.size() < 2) return Error{.message = why_none()};
@@ -60,8 +64,17 @@ private:
     }
     double left_s() const { return plan_.cpu_left_s(share_); }
 
+    Result<Done> use_rough() {
+        if (levels_.size() < 2 || hopeless()) return Done{};
+        const double start_s = plan_.spent_s();
+        const Result<Done> done = use_rough_(converged());
+        share_ += (plan_.spent_s() - start_s) / (plan_.spent_s() + plan_.left_s());
+        return done;
+    }
+
     SceneRun run_at(int step_hz) const {
         return {.scene = probe_.scene,
+                .start = probe_.start,
                 .setting = reference_setting(step_hz, probe_.effects),
                 .moments = probe_.moments,
                 .cpu_limit_s = std::max(2.0, 4.0 * cost_s(step_hz))};
@@ -284,6 +297,7 @@ private:
     ScenePlan& plan_;
     const SceneProbe& probe_;
     double share_;
+    const UseRoughReference& use_rough_;
     std::size_t next_rate_{0};
     std::vector<Level> levels_;
     double spread_{0};
@@ -294,8 +308,9 @@ private:
 
 Result<std::optional<SceneReference>> make_reference(ScenePlan& plan,
                                                      const SceneProbe& probe,
-                                                     double share) {
-    return ReferenceMaker(plan, probe, share).make();
+                                                     double share,
+                                                     const UseRoughReference& use_rough) {
+    return ReferenceMaker(plan, probe, share, use_rough).make();
 }
 
 std::vector<double> errors_against(const SceneReference& reference, const SceneAnswer& answer) {

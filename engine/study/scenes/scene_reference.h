@@ -5,6 +5,7 @@
 #include "engine/study/scenes/scene_errors.h"
 #include "engine/study/scenes/scene_plan.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,16 +33,22 @@ struct SceneReference {
 /// What is known of a scene before its reference is made.
 struct SceneProbe {
     std::filesystem::path scene{};
+    std::filesystem::path start{};  ///< SceneRun::start
     std::vector<int> moments{};
     std::vector<std::string> effects{};  ///< SceneAnswer::effects
     double second_cpu_s{0};              ///< small_step at 60 Hz: CPU seconds per simulated one
 };
 
-/// Spends up to `share` of the plan's wall time. None: interrupted. Refused: every try ended early;
-/// the message says how.
+/// Handed the reference as the first two rates give it, where runs can be compared with it one by one: something to
+/// measure against while nothing better is there.
+using UseRoughReference = std::function<Result<Done>(const SceneReference&)>;
+
+/// Spends up to `share` of the plan's wall time, what `use_rough` takes not counted. None: interrupted. Refused: every try
+/// ended early; the message says how.
 Result<std::optional<SceneReference>> make_reference(ScenePlan& plan,
                                                      const SceneProbe& probe,
-                                                     double share);
+                                                     double share,
+                                                     const UseRoughReference& use_rough);
 
 /// Errors of an answer's runs against the reference, in the order of metrics_of().
 std::vector<double> errors_against(const SceneReference& reference, const SceneAnswer& answer);

@@ -31,6 +31,7 @@ public:
           engine_(engine),
           scene_(scene),
           simulation_(scene.simulation()),
+          start_s_(simulation_.time_s()),
           steps_per_sample_(
               std::max(1, static_cast<int>(std::lround(kSampleEvery_s / simulation_.step_s())))),
           bodies_(simulation_) {}
@@ -41,7 +42,7 @@ public:
     Trace sample() {
         Trace trace;
         const physics::Energy start = physics::energy(simulation_.physics);
-        trace.moments.push_back(bodies_.moment());
+        trace.moments.push_back(moment());
         std::size_t next = 0;
         for (int sample = 1; next < run_.moments.size(); ++sample) {
             if (!step_to_next_sample(trace)) break;
@@ -51,10 +52,10 @@ public:
             trace.penetration_m = std::max(trace.penetration_m, faults.penetration_m);
             trace.joint_error_m = std::max(trace.joint_error_m, faults.joint_error_m);
             if (sample != run_.moments[next]) continue;
-            trace.moments.push_back(bodies_.moment());
+            trace.moments.push_back(moment());
             ++next;
         }
-        trace.end_s = simulation_.time_s();
+        trace.end_s = done_s();
         return trace;
     }
 
@@ -69,11 +70,18 @@ public:
     /// Of all steps so far.
     Lap lap() const {
         Lap lap = lap_;
-        lap.simulated_s = simulation_.time_s();
+        lap.simulated_s = done_s();
         return lap;
     }
 
 private:
+    Moment moment() {
+        Moment now = bodies_.moment();
+        now.time_s = done_s();
+        return now;
+    }
+    double done_s() const { return simulation_.time_s() - start_s_; }
+
     physics::PoseFaults faults() const {
         if (engine_ != nullptr) return engine_->faults();
         return {.penetration_m = max_penetration_m(simulation_.physics),
@@ -99,7 +107,7 @@ private:
             trace.status = moved ? RunStatus::NotFinite : RunStatus::Crashed;
             trace.why = fmt::format("{} by {:.2f} s",
                                     moved ? "a body had no finite state" : moved.error().message,
-                                    simulation_.time_s());
+                                    done_s());
             return false;
         }
         lap_.cpu_ms += moved->cpu_ms;
@@ -118,13 +126,13 @@ private:
                 name_of_mark(
                     simulation_,
                     simulation_.physics.state(simulation_.physics.report().isolated.front()).user),
-                simulation_.time_s());
+                done_s());
             return false;
         }
         if (lap_.cpu_ms > run_.cpu_limit_s * 1e3) {
             trace.status = RunStatus::TimedOut;
-            trace.why = fmt::format(
-                "{:g} s of CPU time went for {:.2f} s", run_.cpu_limit_s, simulation_.time_s());
+            trace.why =
+                fmt::format("{:g} s of CPU time went for {:.2f} s", run_.cpu_limit_s, done_s());
             return false;
         }
         return true;
@@ -134,6 +142,7 @@ private:
     OtherEngine* engine_;
     PlayedScene& scene_;
     scene::Simulation& simulation_;
+    double start_s_;
     int steps_per_sample_;
     MovingSamples bodies_;
     Lap lap_;
@@ -162,7 +171,17 @@ RunCost cost_of_runs(std::span<const Lap> laps) {
 
 }  // namespace
 
-Result<Done> SceneRunner::open(const std::filesystem::path& file) {
+Result<Done> SceneRunner::open(const SceneRun& run) {
+    if (start_file_ != run.start) {
+        start_.reset();
+        start_file_ = run.start;
+        if (!run.start.empty()) {
+            Result<SceneStart> start = read_start(run.start);
+            if (!start) return start.error();
+            start_ = std::move(*start);
+        }
+    }
+    const std::filesystem::path& file = run.scene;
     if (opened_ && file_ == file && scene::unchanged(opened_->files)) return Done{};
     opened_.reset();
     library_ = std::make_unique<assets::AssetLibrary>();
@@ -176,7 +195,7 @@ Result<Done> SceneRunner::open(const std::filesystem::path& file) {
 Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
     const double start_s = wall_s();
     const double cpu_start_s = thread_cpu_s();
-    if (const Result<Done> opened = open(run.scene); !opened) return opened.error();
+    if (const Result<Done> opened = open(run); !opened) return opened.error();
     opened_->overrides = overrides(run.setting);
     reset_peak_resident_bytes();
     SceneAnswer answer;
@@ -213,6 +232,9 @@ Result<Lap> SceneRunner::run_one(const SceneRun& run,
                                  SceneAnswer& answer) {
     Result<PlayedScene> scene = PlayedScene::create(*opened_, *library_);
     if (!scene) return scene.error();
+    if (start_) {
+        if (const Result<Done> taken = take_up(*start_, *scene); !taken) return taken.error();
+    }
     scene->start();
     std::unique_ptr<OtherEngine> engine;
     if (process != nullptr) {

@@ -9,7 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/study/engine_setting.h"
 #include "engine/study/findings/findings.h"
-#include "engine/study/played_scene.h"
+#include "engine/study/scene_start.h"
 #include "engine/study/stepping_cost.h"
 #include "engine/study/workers/worker.h"
 
@@ -29,6 +29,8 @@ inline constexpr double kSampleEvery_s = 1.0 / 30.0;
 /// What a worker is asked.
 struct SceneRun {
     std::filesystem::path scene{};
+    /// A file that write_start() made; empty: runs begin where the scene does. Moments are counted from there.
+    std::filesystem::path start{};
     Setting setting{};
     /// By another engine; of `setting` the rate counts then, and is the same.
     std::optional<EngineSetting> engine{};
@@ -99,7 +101,7 @@ public:
     Result<SceneAnswer> run(const SceneRun& run);
 
 private:
-    Result<Done> open(const std::filesystem::path& file);
+    Result<Done> open(const SceneRun& run);
     /// The `number`th run; what it finds beside its cost goes to `answer`. `process`: the engine's, where there is one.
     Result<Lap> run_one(const SceneRun& run,
                         int number,
@@ -108,6 +110,8 @@ private:
 
     std::filesystem::path file_;
     std::optional<scene::OpenedScene> opened_;
+    std::filesystem::path start_file_;
+    std::optional<SceneStart> start_;
     std::unique_ptr<assets::AssetLibrary> library_;
 };
 

@@ -1,9 +1,11 @@
 #include "engine/study/scenes/scene_study.h"
 
+#include "engine/core/io/scratch_folder.h"
 #include "engine/core/log.h"
 #include "engine/study/findings/order.h"
 #include "engine/study/findings/pareto.h"
 #include "engine/study/played_scene.h"
+#include "engine/study/scenes/run_costs.h"
 #include "engine/study/scenes/scene_reference.h"
 
 #include <fmt/format.h>
@@ -24,9 +26,6 @@ constexpr std::size_t kManyBodies = 500;
 constexpr double kReferenceShare = 0.45;
 /// What is kept free for runs that take longer than foretold.
 constexpr double kReserve = 0.85;
-constexpr int kRepeats = 5;
-constexpr double kRepeat_s = 0.4;
-constexpr int kCopies = 7;
 /// Settings of the front that effects at other fidelities are tried with.
 constexpr std::size_t kFidelitiesOf = 4;
 /// Of the time that is left, what is spent before others follow; and how much longer it all may take then.
@@ -35,6 +34,8 @@ constexpr double kWithFidelities = 1.5;
 /// CPU time that another engine's run may take: at least, and times what ours took.
 constexpr double kEngineLeast_s = 10;
 constexpr double kEngineFactor = 30;
+/// Its cost predicts the cost of the other rates.
+constexpr int kFirst_hz = 60;
 /// Measured even where the time is over.
 constexpr std::size_t kSettingsLeast = 4;
 
@@ -48,15 +49,6 @@ std::vector<int> moments_of(int samples) {
     return moments;
 }
 
-/// Of the runs that a study is not worth much without: the grid up to 120 Hz, and a reference.
-double sum_of_guesses(GridSize size) {
-    double sum = 6.0 * guessed_cost(reference_setting(120));
-    for (const Setting& setting : scene_grid(size)) {
-        if (setting.step_hz <= 120) sum += 1.3 * guessed_cost(setting);
-    }
-    return sum;
-}
-
 class SceneStudyMaker {
 public:
     explicit SceneStudyMaker(const SceneStudyOptions& options)
@@ -66,13 +58,16 @@ public:
     Result<SceneStudy> make() {
         if (const Result<Done> there = check_programs(); !there) return there.error();
         if (const Result<Done> done = load_title(); !done) return done.error();
+        if (const Result<Done> done = keep_start(); !done) return done.error();
         if (const Result<Done> done = probe(); !done) return done.error();
         if (plan_.interrupted()) return finish();
         Result<std::optional<SceneReference>> reference =
-            make_reference(plan_, probe_, kReferenceShare);
+            make_reference(plan_, probe_, kReferenceShare, [&](const SceneReference& rough) {
+                return measure_roughly(rough);
+            });
         if (!reference) return Error{reference.error().message, ExitCode::Refused};
         if (!*reference) return finish();
-        reference_ = std::move(**reference);
+        compare_with(std::move(**reference));
         if (const Result<Done> done = measure_grid(); !done) return done.error();
         if (const Result<Done> done = measure_engines(); !done) return done.error();
         return finish();
@@ -88,10 +83,21 @@ private:
         return Done{};
     }
 
+    Result<Done> keep_start() {
+        if (!options_.start) return Done{};
+        Result<ScratchFolder> folder = ScratchFolder::make("study");
+        if (!folder) return folder.error();
+        folder_ = std::move(*folder);
+        probe_.start = folder_->path() / "start";
+        study_.from_s = options_.start->time_s;
+        return write_start(probe_.start, *options_.start);
+    }
+
     /// How much of the scene's time the plan has time for.
     int affordable_samples(double second_cpu_s, int wanted) const {
-        const double affordable_s = plan_.cpu_left_s(kReserve) /
-                                    std::max(1e-9, second_cpu_s * sum_of_guesses(options_.grid));
+        const double affordable_s =
+            plan_.cpu_left_s(kReserve) /
+            std::max(1e-9, second_cpu_s * guessed_cost_of_study(options_.grid));
         const int samples = static_cast<int>(std::min(1e6, affordable_s / kSampleEvery_s));
         return std::clamp(samples, std::min(kLeastSamples, wanted), wanted);
     }
@@ -101,6 +107,7 @@ private:
         const double seconds = options_.seconds.value_or(kSeconds);
         const int wanted = std::max(1, static_cast<int>(std::lround(seconds / kSampleEvery_s)));
         const SceneRun run{.scene = options_.scene,
+                           .start = probe_.start,
                            .moments = moments_of(wanted),
                            .cpu_limit_s = 0.08 * plan_.left_s()};
         ScenePlan::Finished first;
@@ -131,65 +138,83 @@ private:
                 answer.cost.ms_per_s_min));
         probe_.moments = moments_of(samples);
         study_.seconds = samples * kSampleEvery_s;
-        set_up_ = fmt::format(
-            "{} bodies, {} joints, {:.2f} s", answer.bodies, answer.joints, study_.seconds);
+        costs_.emplace(study_.subject.points, probe_.second_cpu_s, study_.seconds);
+        set_up_ =
+            fmt::format("{} bodies, {} joints, {:.2f} s{}",
+                        answer.bodies,
+                        answer.joints,
+                        study_.seconds,
+                        options_.start ? fmt::format(" from {:.2f} s on", study_.from_s) : "");
         return Done{};
     }
 
     SceneRun run_of(const Setting& setting) const {
-        SceneRun run{.scene = options_.scene, .setting = setting, .moments = probe_.moments};
-        if (reference_->chaotic) {
-            run.copies = copies_;
+        const RunCounts& counts = costs_->counts;
+        SceneRun run{.scene = options_.scene,
+                     .start = probe_.start,
+                     .setting = setting,
+                     .moments = probe_.moments};
+        if (counts.chaotic) {
+            run.copies = counts.copies;
             run.seed = 1001;  // others than the reference's
             run.shift_m = reference_->shift_m;
         } else {
-            run.repeats = repeats_;
-            run.repeat_s = kRepeat_s;
+            run.repeats = counts.repeats;
+            run.repeat_s = counts.repeat_s;
         }
-        run.cpu_limit_s = std::max(2.0, 5.0 * cost_s(setting));
+        run.cpu_limit_s = std::max(2.0, 5.0 * costs_->of_one_s(setting));
         return run;
     }
 
-    /// CPU time of one run: as its like at another rate took, else as guessed.
-    double cost_s(const Setting& setting) const {
-        for (const Point& point : study_.subject.points) {
-            if (point.status == RunStatus::Done && same_but_rate(point.setting, setting))
-                return point.cost.ms_per_s_median * 1e-3 * study_.seconds * setting.step_hz /
-                       point.setting.step_hz;
-        }
-        if (!setting.fidelity.empty()) {
-            Setting own = setting;
-            own.fidelity.clear();
-            return cost_s(own) * guessed_cost(setting) / guessed_cost(own);
-        }
-        return guessed_cost(setting) * probe_.second_cpu_s * study_.seconds;
+    /// Settings that are worth a first look, against a reference that will become better. Their answers are kept.
+    Result<Done> measure_roughly(const SceneReference& rough) {
+        reference_ = rough;
+        describe();
+        const std::vector<Setting> grid = scene_grid(options_.grid);
+        costs_->fit(grid, kReserve * plan_.cpu_left_s());
+        std::vector<Setting> first = scene_grid(GridSize::Quick);
+        std::erase_if(first, [&](const Setting& each) { return each.step_hz != kFirst_hz; });
+        expect(grid);
+        return measure(fitting(first), [&](const ScenePlan::Finished& finished) {
+            first_answers_.push_back(finished);
+        });
     }
-    /// With its repeats or copies, and what loading and handing over take.
-    double whole_cost_s(const Setting& setting) const {
-        constexpr double kHandling_s = 0.02;
-        const double one_s = cost_s(setting);
-        if (reference_->chaotic) return copies_ * one_s + kHandling_s;
-        return one_s + std::min(repeats_ * one_s, kRepeat_s + one_s) + kHandling_s;
+
+    /// From now on; and those that were measured before, where they can be.
+    void compare_with(SceneReference reference) {
+        reference_ = std::move(reference);
+        describe();
+        std::vector<Point>& points = study_.subject.points;
+        if (reference_->chaotic) points.clear();  // copies are needed
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = point_of(points[i].setting, first_answers_[i]);
+        costs_->counts = {.chaotic = reference_->chaotic};
+        tell();
+    }
+
+    void tell() const {
+        if (options_.tell) options_.tell(study_);
     }
 
     /// Those of `settings` that fit into a share of the time that is left, cheapest first.
     std::vector<Setting> fitting(std::vector<Setting> settings, double share = 1) {
         std::ranges::stable_sort(
-            settings, {}, [&](const Setting& each) { return whole_cost_s(each); });
+            settings, {}, [&](const Setting& each) { return costs_->of_all_s(each); });
         double sum_s = 0;
         std::size_t fit = 0;
         const double left_s = share * kReserve * plan_.cpu_left_s();
         const std::size_t least = study_.subject.points.empty() ? kSettingsLeast : 0;
         while (fit < settings.size() &&
-               (fit < least || sum_s + whole_cost_s(settings[fit]) <= left_s))
-            sum_s += whole_cost_s(settings[fit++]);
+               (fit < least || sum_s + costs_->of_all_s(settings[fit]) <= left_s))
+            sum_s += costs_->of_all_s(settings[fit++]);
         left_out_ += settings.size() - fit;
         settings.resize(fit);
         return settings;
     }
 
     /// A few at a time, so that a machine that turns slow ends it in time all the same.
-    Result<Done> measure(const std::vector<Setting>& settings) {
+    Result<Done> measure(const std::vector<Setting>& settings,
+                         const std::function<void(const ScenePlan::Finished&)>& look = {}) {
         constexpr std::size_t kAtATime = 8;
         for (std::size_t first = 0; first < settings.size(); first += kAtATime) {
             const std::size_t end = std::min(first + kAtATime, settings.size());
@@ -201,6 +226,8 @@ private:
             for (std::size_t i = first; i < end; ++i) runs.push_back(run_of(settings[i]));
             const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& finished) {
                 study_.subject.points.push_back(point_of(settings[first + finished.run], finished));
+                if (look) look(finished);
+                tell();
             });
             if (!done) return done;
         }
@@ -208,12 +235,13 @@ private:
     }
 
     Result<Done> measure_grid() {
-        choose_copies();
-        const std::vector<Setting> grid = scene_grid(options_.grid);
+        std::vector<Setting> grid = scene_grid(options_.grid);
+        std::erase_if(grid, [&](const Setting& each) { return is_measured(each); });
+        costs_->fit(grid, kReserve * plan_.cpu_left_s());
         std::vector<Setting> first;
         std::vector<Setting> rest;
         for (const Setting& setting : grid)
-            (setting.step_hz == grid.front().step_hz ? first : rest).push_back(setting);
+            (setting.step_hz == kFirst_hz ? first : rest).push_back(setting);
         expect(grid);
         if (const Result<Done> done = measure(fitting(first)); !done) return done;
         if (const Result<Done> done = measure(fitting(other_fidelities(), kShare)); !done)
@@ -240,27 +268,18 @@ private:
             const std::vector<Setting> others =
                 with_fidelities(points[front[at]].setting, probe_.effects);
             std::ranges::copy_if(others, std::back_inserter(all), [&](const Setting& each) {
-                return std::ranges::find(points, each, &Point::setting) == points.end();
+                return !is_measured(each);
             });
         }
         return all;
     }
 
-    void expect(const std::vector<Setting>& settings) { plan_.expect(sum_of_costs_s(settings)); }
-
-    double sum_of_costs_s(const std::vector<Setting>& settings) const {
-        double sum_s = 0;
-        for (const Setting& setting : settings) sum_s += whole_cost_s(setting);
-        return sum_s;
+    bool is_measured(const Setting& setting) const {
+        const std::vector<Point>& points = study_.subject.points;
+        return std::ranges::find(points, setting, &Point::setting) != points.end();
     }
 
-    /// Fewer copies or repeats where the whole grid would not fit else.
-    void choose_copies() {
-        const std::vector<Setting> grid = scene_grid(options_.grid);
-        const double left_s = kReserve * plan_.cpu_left_s();
-        while (copies_ > 3 && sum_of_costs_s(grid) > left_s) copies_ -= 2;
-        while (repeats_ > 0 && !reference_->chaotic && sum_of_costs_s(grid) > left_s) --repeats_;
-    }
+    void expect(const std::vector<Setting>& settings) { plan_.expect(costs_->sum_s(settings)); }
 
     Point point_of(const Setting& setting, const ScenePlan::Finished& finished) const {
         Outcome outcome = outcome_of(finished);
@@ -319,44 +338,31 @@ private:
         return {.errors = errors_against(*reference_, finished.answer)};
     }
 
-    /// A clock that other work disturbs shows in runs of the same thing.
-    void note_clock() {
-        std::vector<double> spreads;
-        for (const Point& point : study_.subject.points) {
-            if (point.cost.repeats < 2 || point.cost.ms_per_s_min <= 0) continue;
-            spreads.push_back(point.cost.ms_per_s_median / point.cost.ms_per_s_min - 1.0);
-        }
-        if (spreads.empty()) return;
-        std::ranges::sort(spreads);
-        const double middle = spreads[spreads.size() / 2];
-        if (middle > 0.1)
-            study_.subject.notes.push_back(
-                fmt::format("noisy clock: half of the settings had a median {:.0f} % or more above "
-                            "their least time",
-                            middle * 100.0));
+    /// What the reference says of the scene.
+    void describe() {
+        Subject& subject = study_.subject;
+        study_.chaotic = reference_->chaotic;
+        subject.uncertainty = reference_->uncertainty;
+        subject.tier = reference_->chaotic ? Tier::Spread : Tier::SelfConverged;
+        subject.reference = reference_->text;
+        subject.metrics = metrics_of(*reference_);
+        std::string times;
+        for (const int moment : probe_.moments)
+            times += fmt::format("{}{:.2f}", times.empty() ? "" : ", ", moment * kSampleEvery_s);
+        subject.set_up = fmt::format("{}, compared at {} s", set_up_, times);
     }
 
     SceneStudy finish() {
         Subject& subject = study_.subject;
         study_.complete = !plan_.interrupted();
-        if (reference_) {
-            study_.chaotic = reference_->chaotic;
-            subject.uncertainty = reference_->uncertainty;
-            subject.tier = reference_->chaotic ? Tier::Spread : Tier::SelfConverged;
-            subject.reference = reference_->text;
-            subject.metrics = metrics_of(*reference_);
+        if (reference_)
             subject.notes.insert(
                 subject.notes.begin(), reference_->notes.begin(), reference_->notes.end());
-            std::string times;
-            for (const int moment : probe_.moments)
-                times +=
-                    fmt::format("{}{:.2f}", times.empty() ? "" : ", ", moment * kSampleEvery_s);
-            subject.set_up = fmt::format("{}, compared at {} s", set_up_, times);
-        }
         if (left_out_ > 0)
             subject.notes.push_back(
                 fmt::format("{} settings left out: there was no time for them", left_out_));
-        note_clock();
+        if (std::string note = clock_note(subject.points); !note.empty())
+            subject.notes.push_back(std::move(note));
         std::ranges::stable_sort(subject.points, {}, [](const Point& point) {
             return std::tuple(point.setting.precision,
                               point.setting.solver,
@@ -377,8 +383,9 @@ private:
     SceneProbe probe_;
     std::string set_up_;
     std::optional<SceneReference> reference_;
-    int copies_{kCopies};
-    int repeats_{kRepeats};
+    std::optional<RunCosts> costs_;  ///< once the first run has told
+    std::vector<ScenePlan::Finished> first_answers_;
+    std::optional<ScratchFolder> folder_;
     std::size_t left_out_{0};
     SceneStudy study_;
 };

@@ -15,7 +15,7 @@
 namespace plumbline::study {
 namespace {
 
-constexpr double kLongestWait_s = 0.2;  // until the interrupt flag is looked at again
+constexpr double kLongestWait_s = 0.05;  // until somebody who says stop is heard
 
 /// One place for a job at work. It keeps a worker of each precision that it has needed.
 class Slot {
@@ -105,8 +105,10 @@ WorkerPrograms sibling_programs() {
 }
 
 Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision) {
-    return ChildProcess::start(
-        {.program = programs.of(precision), .arguments = programs.arguments, .own_group = true});
+    return ChildProcess::start({.program = programs.of(precision),
+                                .arguments = programs.arguments,
+                                .own_group = true,
+                                .priority = programs.priority});
 }
 
 Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed) {
@@ -125,20 +127,19 @@ Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Prec
 }
 
 Result<bool> run_jobs(std::span<const Job> jobs,
-                      int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done,
-                      const WorkerPrograms& programs) {
+                      const Workers& workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
     std::vector<Precision> needed;
     for (const Job& job : jobs) {
         if (std::ranges::find(needed, job.precision) == needed.end())
             needed.push_back(job.precision);
     }
-    if (Result<Done> there = check_programs(programs, needed); !there) return there.error();
-    const auto slot_count = static_cast<std::size_t>(std::max(1, workers));
+    if (Result<Done> there = check_programs(workers.programs, needed); !there) return there.error();
+    const auto slot_count = static_cast<std::size_t>(std::max(1, workers.count));
     std::vector<Slot> slots;
     slots.reserve(slot_count);
     for (std::size_t i = 0; i < std::min(slot_count, jobs.size()); ++i)
-        slots.emplace_back(programs);
+        slots.emplace_back(workers.programs);
 
     std::size_t next = 0;
     std::size_t ended = 0;
@@ -149,7 +150,7 @@ Result<bool> run_jobs(std::span<const Job> jobs,
             ++next;
         }
         const std::vector<bool> ready = wait_for_answers(slots);
-        if (interrupted()) return false;
+        if (interrupted() || workers.stop.stop_requested()) return false;
         std::size_t place = 0;
         for (Slot& slot : slots) {
             if (!slot.busy()) continue;

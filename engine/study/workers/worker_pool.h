@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct WorkerPrograms {
     std::filesystem::path float32;
     std::filesystem::path float64;
     std::vector<std::string> arguments{"study-worker"};
+    Priority priority{Priority::Same};
 
     const std::filesystem::path& of(Precision precision) const {
         return precision == Precision::Float32 ? float32 : float64;
@@ -31,13 +33,18 @@ Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision prec
 Result<Done> check_programs(const WorkerPrograms& programs = sibling_programs(),
                             std::span<const Precision> needed = kPrecisions);
 
-/// Jobs are handed out in order to as many workers at once; `done` is called on the calling thread
-/// as each ends. Stops early, and returns false, when interrupted (core/process/interrupt.h): jobs that had
-/// not ended have no call. Refused: a program that they need is not there.
+/// Who does jobs, and until when.
+struct Workers {
+    int count{1};  ///< at once; below 1 counts as 1
+    WorkerPrograms programs{sibling_programs()};
+    std::stop_token stop{};
+};
+/// Jobs are handed out in order; `done` is called on the calling thread as each ends. Stops early, and
+/// returns false, when interrupted (core/process/interrupt.h) or told to stop: jobs that had not ended have
+/// no call. Refused: a program that they need is not there.
 Result<bool> run_jobs(std::span<const Job> jobs,
-                      int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done,
-                      const WorkerPrograms& programs = sibling_programs());
+                      const Workers& workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done);
 
 /// Cores that this process may use; at least 1.
 int default_workers();

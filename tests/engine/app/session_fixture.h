@@ -51,6 +51,7 @@ inline const std::string kTwoCubes =
 class SessionTest : public testing::Test {
 protected:
     SessionTest() {
+        ::setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
         folder_.write("config/surfaces.toml", "[wood]\nfriction = 0.5\n");
         folder_.write("scene.toml", kTwoCubes);
     }

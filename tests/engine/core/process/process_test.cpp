@@ -1,6 +1,8 @@
 #include "engine/core/process/process.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -103,13 +105,17 @@ TEST(ChildProcess, WhatItSaidLastComesWithItsEnd) {
 
 TEST(ChildProcess, GivesWayWhereThatIsAskedFor) {
     const int own = getpriority(PRIO_PROCESS, 0);
-    for (const bool low_priority : {false, true}) {
-        ChildDef def = shell("read go; nice");
-        def.low_priority = low_priority;
+    for (const Priority priority : {Priority::Same, Priority::Low, Priority::Idle}) {
+        // proc(5): field 41 is the scheduling policy.
+        ChildDef def = shell("read go; nice; cut -d' ' -f41 /proc/self/stat");
+        def.priority = priority;
         Result<ChildProcess> child = ChildProcess::start(def);
         ASSERT_TRUE(child) << child.error().message;
         ASSERT_TRUE(child->send_line("now"));
-        EXPECT_EQ(all_of(*child), std::to_string(low_priority ? std::max(own, 10) : own) + "\n");
+        const int nice = priority == Priority::Same ? own : std::max(own, 10);
+        EXPECT_EQ(
+            all_of(*child),
+            fmt::format("{}\n{}\n", nice, priority == Priority::Idle ? SCHED_IDLE : SCHED_OTHER));
     }
 }
 

@@ -1,5 +1,4 @@
 #include "engine/scene/simulation/entity_lookup.h"
-#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/ghost/ghost.h"
 #include "engine/study/workers/worker_pool.h"
 #include "tests/scenarios/scene_run.h"
@@ -19,7 +18,8 @@ std::filesystem::path scene(const std::string& name) {
 }
 
 GhostStart start_of(SceneRun& run, const std::string& name, const Setting& setting) {
-    GhostStart start{.scene = scene(name), .setting = setting, .time_s = run.simulation->time_s()};
+    GhostStart start{
+        .scene = scene(name), .setting = setting, .from = scene_start_of(*run.simulation)};
     for (const scene::MovingBody& moving : run.simulation->moving_bodies()) {
         const physics::BodyState state = run.simulation->physics.state(moving.body);
         start.bodies.push_back(
@@ -27,9 +27,6 @@ GhostStart start_of(SceneRun& run, const std::string& name, const Setting& setti
              .position_m = Vec3d(state.world_from_body.position),
              .orientation = Quatd(state.world_from_body.orientation)});
     }
-    Archive archive;
-    serialize_bodies_of_scene(*run.simulation, archive);
-    start.state = archive.take();
     return start;
 }
 

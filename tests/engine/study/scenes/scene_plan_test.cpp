@@ -8,19 +8,19 @@ namespace plumbline::study {
 namespace {
 
 TEST(ScenePlan, CountsTheTimeOfAllItsWorkers) {
-    const ScenePlan plan(100, 4, {});
+    const ScenePlan plan(100, {.count = 4}, {});
     EXPECT_NEAR(plan.left_s(), 100, 0.5);
     EXPECT_NEAR(plan.cpu_left_s(), 400, 2);
     EXPECT_NEAR(plan.cpu_left_s(0.25), 100, 2);
-    EXPECT_EQ(ScenePlan(10, 0, {}).workers(), 1) << "one at least";
-    const ScenePlan over(-1, 2, {});
+    EXPECT_EQ(ScenePlan(10, {.count = 0}, {}).workers(), 1) << "one at least";
+    const ScenePlan over(-1, {.count = 2}, {});
     EXPECT_EQ(over.cpu_left_s(), 0);
     EXPECT_LT(over.left_s(), 0);
 }
 
 TEST(ScenePlan, NothingToRunIsDoneAtOnceAndExtendingGivesTime) {
     int reports = 0;
-    ScenePlan plan(10, 1, [&](const StudyProgress&) { ++reports; });
+    ScenePlan plan(10, {}, [&](const StudyProgress&) { ++reports; });
     const auto never = [](const ScenePlan::Finished&) { ADD_FAILURE(); };
     EXPECT_TRUE(plan.run({}, never).ok());
     EXPECT_EQ(reports, 0);
@@ -32,7 +32,7 @@ TEST(ScenePlan, NothingToRunIsDoneAtOnceAndExtendingGivesTime) {
 // The programs are not beside the tests: refused, after it was said that nothing is done.
 TEST(ScenePlan, SaysWhichProgramIsMissing) {
     std::vector<StudyProgress> said;
-    ScenePlan plan(10, 1, [&](const StudyProgress& progress) { said.push_back(progress); });
+    ScenePlan plan(10, {}, [&](const StudyProgress& progress) { said.push_back(progress); });
     plan.expect(2);
     const std::vector<SceneRun> runs(1);
     const Result<Done> done =

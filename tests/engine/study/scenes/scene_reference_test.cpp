@@ -34,9 +34,13 @@ TEST(SceneReference, RunsAreComparedOneByOneAndCopiesByTheirStatistics) {
 }
 
 TEST(SceneReference, NoneIsMadeWithoutThePrograms) {
-    ScenePlan plan(10, 1, {});
+    ScenePlan plan(10, {}, {});
     const SceneProbe probe{.scene = "x.toml", .moments = {30}, .second_cpu_s = 1e-3};
-    const auto reference = make_reference(plan, probe, 0.5);
+    const auto reference =
+        make_reference(plan, probe, 0.5, [](const SceneReference&) -> Result<Done> {
+            ADD_FAILURE() << "nothing ran";
+            return Done{};
+        });
     ASSERT_FALSE(reference.ok());
     EXPECT_NE(reference.error().message.find("need the program"), std::string::npos);
 }

@@ -21,13 +21,12 @@ Job job(const char* kind, const char* body = "", double limit_s = 30) {
 /// The answers by job; every job has exactly one.
 std::map<std::size_t, Answer> answers_to(const std::vector<Job>& jobs, int workers) {
     std::map<std::size_t, Answer> answers;
-    const Result<bool> all = run_jobs(
-        jobs,
-        workers,
-        [&](std::size_t index, const Answer& answer) {
-            EXPECT_TRUE(answers.emplace(index, answer).second) << "a second answer to " << index;
-        },
-        kFixture);
+    const Result<bool> all = run_jobs(jobs,
+                                      {.count = workers, .programs = kFixture},
+                                      [&](std::size_t index, const Answer& answer) {
+                                          EXPECT_TRUE(answers.emplace(index, answer).second)
+                                              << "a second answer to " << index;
+                                      });
     EXPECT_TRUE(all.ok()) << (all.ok() ? "" : all.error().message);
     EXPECT_TRUE(all.ok() && *all);
     EXPECT_EQ(answers.size(), jobs.size());
@@ -94,11 +93,27 @@ TEST(WorkerPool, RefusesWhereAProgramIsMissing) {
     programs.float64 = "/nowhere/plumbline-f64";
     const auto ignore = [](std::size_t, const Answer&) {};
     const std::vector<Job> single{job("echo")};
-    EXPECT_TRUE(run_jobs(single, 1, ignore, programs).ok()) << "nothing needs it";
+    EXPECT_TRUE(run_jobs(single, {.programs = programs}, ignore).ok()) << "nothing needs it";
     const std::vector<Job> jobs{{.kind = "echo", .precision = Precision::Float64}};
-    const Result<bool> all = run_jobs(jobs, 1, ignore, programs);
+    const Result<bool> all = run_jobs(jobs, {.programs = programs}, ignore);
     ASSERT_FALSE(all.ok());
     EXPECT_NE(all.error().message.find("/nowhere/plumbline-f64"), std::string::npos);
+}
+
+TEST(WorkerPool, StopsWhenToldTo) {
+    std::stop_source source;
+    const std::vector<Job> jobs{job("echo", "a"), job("hang"), job("echo", "b")};
+    const double start_s = wall_s();
+    int answered = 0;
+    const Result<bool> all = run_jobs(
+        jobs, {.programs = kFixture, .stop = source.get_token()}, [&](std::size_t, const Answer&) {
+            ++answered;
+            source.request_stop();
+        });
+    ASSERT_TRUE(all.ok());
+    EXPECT_FALSE(*all);
+    EXPECT_EQ(answered, 1);
+    EXPECT_LT(wall_s() - start_s, 20) << "the one that hangs was not waited for";
 }
 
 TEST(WorkerPool, NoJobsEndAtOnce) {
@@ -116,11 +131,10 @@ TEST(WorkerPool, AMissingProgramIsNamedWithWhatMakesIt) {
     EXPECT_EQ(missing.error().message,
               "float64 runs need the program /nowhere/plumbline-f64, which is not there; ./play "
               "builds it, and so does `cmake --build` with the target plumbline-f64");
-    const Result<bool> ran = run_jobs(
-        std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
-        1,
-        [](std::size_t, const Answer&) { ADD_FAILURE(); },
-        programs);
+    const Result<bool> ran =
+        run_jobs(std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
+                 {.programs = programs},
+                 [](std::size_t, const Answer&) { ADD_FAILURE(); });
     EXPECT_FALSE(ran.ok());
 }
 

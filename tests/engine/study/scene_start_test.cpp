@@ -1,0 +1,70 @@
+#include "engine/study/scene_start.h"
+
+#include "tests/scenarios/scene_run.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace plumbline::study {
+namespace {
+
+class SceneStartTest : public testing::Test {
+protected:
+    SceneStartTest() { ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1); }
+    ~SceneStartTest() override { std::filesystem::remove(file_); }
+
+    /// As a worker has it, after what was written was read.
+    PlayedScene played_from(const SceneStart& start, const Setting& setting) {
+        const Result<scene::OpenedScene> opened = open_for_study(
+            test::repository() / "assets/scenes/bench/peers/heavy10.toml", overrides(setting));
+        EXPECT_TRUE(opened);
+        Result<PlayedScene> scene = PlayedScene::create(*opened, library_);
+        EXPECT_TRUE(scene);
+        EXPECT_TRUE(write_start(file_, start));
+        const Result<SceneStart> read = read_start(file_);
+        EXPECT_TRUE(read);
+        EXPECT_TRUE(take_up(*read, *scene));
+        scene->start();
+        return std::move(*scene);
+    }
+
+    assets::AssetLibrary library_;
+    std::filesystem::path file_{std::filesystem::temp_directory_path() /
+                                ("plumbline_start_" + std::to_string(getpid()))};
+};
+
+TEST_F(SceneStartTest, GoesOnToTheSameBits) {
+    test::SceneRun run("bench/peers/heavy10.toml");
+    run.step(30);
+    PlayedScene scene = played_from(scene_start_of(*run.simulation), {});
+    EXPECT_DOUBLE_EQ(scene.simulation().time_s(), 0.5);
+    run.step(30);
+    for (int i = 0; i < 30; ++i) scene.step();
+    for (std::size_t i = 0; i < run.simulation->moving_bodies().size(); ++i) {
+        const auto pose_in = [i](const scene::Simulation& simulation) {
+            return simulation.physics.state(simulation.moving_bodies()[i].body).world_from_body;
+        };
+        EXPECT_EQ(pose_in(scene.simulation()).position, pose_in(*run.simulation).position);
+        EXPECT_EQ(pose_in(scene.simulation()).orientation, pose_in(*run.simulation).orientation);
+    }
+}
+
+TEST_F(SceneStartTest, TheAccuracyIsTheRunsOwn) {
+    test::SceneRun run("bench/peers/heavy10.toml");
+    run.step(30);
+    const PlayedScene scene = played_from(scene_start_of(*run.simulation), {.step_hz = 240});
+    EXPECT_NEAR(scene.simulation().step_s(), 1.0 / 240, 1e-9);
+}
+
+TEST_F(SceneStartTest, RefusesWhatIsNone) {
+    EXPECT_FALSE(read_start("/nowhere/at/all"));
+    std::ofstream(file_) << "no state";
+    const Result<SceneStart> start = read_start(file_);
+    ASSERT_FALSE(start);
+    EXPECT_NE(start.error().message.find(file_.string()), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumbline::study
