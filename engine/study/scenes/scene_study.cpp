@@ -174,7 +174,7 @@ private:
         costs_->fit(grid, kReserve * plan_.cpu_left_s());
         std::vector<Setting> first = scene_grid(GridSize::Quick);
         std::erase_if(first, [&](const Setting& each) { return each.step_hz != kFirst_hz; });
-        expect(grid);
+        plan_.expect(costs_->sum_s(grid) + plan_.cpu_left_s(kReferenceShare));
         return measure(fitting(first), [&](const ScenePlan::Finished& finished) {
             first_answers_.push_back(finished);
         });

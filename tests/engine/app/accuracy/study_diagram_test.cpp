@@ -8,7 +8,7 @@ namespace plumbline::app {
 namespace {
 
 study::Point point(double ms_a_frame, double error) {
-    return {.errors = {error}, .cost = {.ms_per_s_min = 60 * ms_a_frame}};
+    return {.errors = {error}, .cost = {.ms_per_s_min = 60 * ms_a_frame, .repeats = 1}};
 }
 
 TEST(StudyDiagram, AxesEndAtPowersOfTenRoundAllPoints) {

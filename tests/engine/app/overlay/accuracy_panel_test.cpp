@@ -111,9 +111,10 @@ protected:
         subject.metrics = {{.name = "position"}};
         for (const int step_hz : {30, 60, 240}) {
             const study::Setting setting{.step_hz = step_hz, .substeps = 2};
-            subject.points.push_back({.setting = setting,
-                                      .errors = {1.0 / step_hz / step_hz},
-                                      .cost = {.ms_per_s_min = static_cast<double>(step_hz)}});
+            subject.points.push_back(
+                {.setting = setting,
+                 .errors = {1.0 / step_hz / step_hz},
+                 .cost = {.ms_per_s_min = static_cast<double>(step_hz), .repeats = 1}});
         }
         EXPECT_TRUE(study::keep_study(
             study::study_cache_folder(), study::study_key(session_->opened()), kept));
