@@ -16,7 +16,7 @@
 #include "game/commands/shader_worker.h"
 #include "game/commands/simulate_cli.h"
 #include "game/commands/stability_command.h"
-#include "game/commands/study_command.h"
+#include "game/commands/study/study_command.h"
 #include "game/program.h"
 
 #include <CLI/CLI.hpp>

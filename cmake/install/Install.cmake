@@ -44,4 +44,5 @@ foreach(side 48 128 256)
 endforeach()
 
 install(FILES README.md assets/CREDITS.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+include(install/Library)
 include(install/Package)

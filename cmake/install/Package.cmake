@@ -1,5 +1,7 @@
 # `cpack --preset package`: a .deb of what Install.cmake puts in place.
 set(CPACK_GENERATOR DEB)
+# The program, without the library.
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};plumbline;Unspecified;/")
 set(CPACK_PACKAGE_NAME plumbline)
 # As the licence names them; the project has no address.
 set(CPACK_PACKAGE_CONTACT "The Plumbline authors")

@@ -24,7 +24,7 @@ FLOORS = {
     "study": ["findings", "fields", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "engines", "gallery", "ghost",
               "scenes", "auto_preset"],
     "app": ["capture", "settings", "controls", "accuracy", "ui", "overlay", "frame"],
-    "game": ["command_line", "rules/hands", "rules", "offscreen", "commands"],
+    "game": ["command_line", "rules/hands", "rules", "offscreen", "commands/study", "commands"],
 }
 
 # Pairs of folders of one module where the first still includes from the second, which is higher. An entry that is not

@@ -81,7 +81,7 @@ EVERYWHERE = {"glm/", "fmt/"}  # in public headers too
 SYSTEM = re.compile(
     r"^([a-z_]+|c[a-z]+"  # <vector>, <cmath>
     r"|(sys|linux|netinet)/[a-z_]+\.h"
-    r"|(dlfcn|errno|execinfo|fcntl|malloc|poll|pthread|signal|spawn|stdlib|string|time|unistd|setjmp)\.h)$")
+    r"|(dlfcn|errno|execinfo|fcntl|malloc|poll|pthread|sched|signal|spawn|stdlib|string|time|unistd|setjmp)\.h)$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 

@@ -1,77 +1,8 @@
 // The accuracy panel: what it offers, and what a click in it asks for.
-#include "engine/app/overlay/overlay_panels_impl.h"
-#include "engine/app/ui/canvas_impl.h"
-#include "tests/engine/app/session_fixture.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <iterator>
-#include <optional>
-#include <vector>
+#include "tests/engine/app/overlay/accuracy_panel_fixture.h"
 
 namespace plumbline::app {
 namespace {
-
-class AccuracyPanel : public SessionTest {
-protected:
-    AccuracyPanel() : session_(open()), control_(*session_) {
-        canvas_.resize(1280, 720, 1.0F, 0.0F);
-    }
-
-    Requests frame(double x, double y, bool down, const std::vector<int>& keys = {}) {
-        InputSnapshot input;
-        input.now_s = now_s_ += 0.02;
-        input.cursor_px = {x, y};
-        input.buttons[0] = down;
-        for (const int key : keys) {
-            input.events.push_back({DeviceEventKind::Key, key, true});
-            input.events.push_back({DeviceEventKind::Key, key, false});
-        }
-        canvas_.begin(input);
-        Requests asked;
-        taken_px_ =
-            panels::draw_accuracy({.control = control_, .clock = clock_, .replaying = replaying_},
-                                  canvas_.font_px(),
-                                  asked);
-        canvas_.end();
-        return asked;
-    }
-    /// Presses and lets go at every place of a grid over the panel; all that was asked.
-    Requests click_everywhere() {
-        Requests asked;
-        for (double y = 14.0; y < 718.0; y += 9.0) {
-            for (const double share : {0.05, 0.25, 0.45}) {
-                const double x = 1280.0 - static_cast<double>(taken_px_) * (1.0 - share);
-                frame(x, y, false);
-                std::ranges::move(frame(x, y, true), std::back_inserter(asked));
-                std::ranges::move(frame(x, y, false), std::back_inserter(asked));
-            }
-        }
-        return asked;
-    }
-    template <class T>
-    static std::vector<T> all_of(const Requests& requests) {
-        std::vector<T> found;
-        for (const Request& each : requests)
-            if (const T* one = std::get_if<T>(&each)) found.push_back(*one);
-        return found;
-    }
-    static std::vector<study::Setting> settings_in(const Requests& requests) {
-        std::vector<study::Setting> found;
-        for (const WorldRequest& each : all_of<WorldRequest>(requests))
-            found.push_back(std::get<SetAccuracy>(each).setting);
-        return found;
-    }
-
-    std::unique_ptr<Session> session_;
-    AccuracyControl control_;
-    bool replaying_{false};
-    ui::Canvas canvas_;
-    FrameClock clock_{1.0 / 60.0};
-    float taken_px_{0};
-    double now_s_{0};
-};
 
 TEST_F(AccuracyPanel, TakesTheRightEdgeAndAsksForNothingByItself) {
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(frame(1, 1, false).empty());
@@ -99,53 +30,6 @@ TEST_F(AccuracyPanel, ClicksAskForASettingAGhostAndACopy) {
         from_here = from_here || ghost.from == GhostFrom::Here;
     }
     EXPECT_TRUE(from_start && from_here);
-}
-
-/// Three settings of a study that was made before.
-class StudyPanel : public AccuracyPanel {
-protected:
-    StudyPanel() {
-        study::CachedStudy kept{.made_on = "2026-11-28"};
-        study::Subject& subject = kept.study.subject;
-        subject.set_up = "1 bodies, compared at 1 s";
-        subject.metrics = {{.name = "position"}};
-        for (const int step_hz : {30, 60, 240}) {
-            const study::Setting setting{.step_hz = step_hz, .substeps = 2};
-            subject.points.push_back(
-                {.setting = setting,
-                 .errors = {1.0 / step_hz / step_hz},
-                 .cost = {.ms_per_s_min = static_cast<double>(step_hz), .repeats = 1}});
-        }
-        EXPECT_TRUE(study::keep_study(
-            study::study_cache_folder(), study::study_key(session_->opened()), kept));
-        control_.watch(true);
-    }
-};
-
-TEST_F(StudyPanel, AClickOnAPointAdoptsItWithAGhostBesideIt) {
-    frame(1, 1, false);
-    const Requests asked = click_everywhere();
-    EXPECT_FALSE(all_of<StartStudy>(asked).empty());
-    bool adopted = false;
-    for (std::size_t i = 0; i + 1 < asked.size(); ++i) {
-        const auto* world = std::get_if<WorldRequest>(&asked[i]);
-        const auto* accuracy = world == nullptr ? nullptr : std::get_if<SetAccuracy>(world);
-        if (accuracy == nullptr || accuracy->setting.substeps != 2) continue;
-        const auto* ghost = std::get_if<StartGhost>(&asked[i + 1]);
-        ASSERT_NE(ghost, nullptr) << "a ghost shows the difference";
-        EXPECT_EQ(ghost->setting, panels::finer(accuracy->setting));
-        EXPECT_EQ(ghost->from, GhostFrom::Here);
-        adopted = true;
-    }
-    EXPECT_TRUE(adopted);
-}
-
-TEST_F(StudyPanel, AReplayShowsItAndOffersNothing) {
-    replaying_ = true;
-    frame(1, 1, false);
-    const Requests asked = click_everywhere();
-    EXPECT_TRUE(all_of<StartStudy>(asked).empty());
-    EXPECT_TRUE(settings_in(asked).empty());
 }
 
 TEST_F(AccuracyPanel, AReplayKeepsItsSettingAndItsStart) {

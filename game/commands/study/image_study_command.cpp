@@ -1,4 +1,4 @@
-#include "game/commands/image_study_command.h"
+#include "game/commands/study/image_study_command.h"
 
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"

@@ -1,5 +1,5 @@
 // "study" as far as it runs nothing: lists, refusals, and shards put together.
-#include "game/commands/study_command.h"
+#include "game/commands/study/study_command.h"
 
 #include "engine/study/findings/findings_json.h"
 #include "tests/game/commands/command_run.h"

@@ -1,4 +1,4 @@
-#include "game/commands/saved_start.h"
+#include "game/commands/study/saved_start.h"
 
 #include "engine/core/io/files.h"
 #include "engine/effects/saved_game.h"

@@ -1,4 +1,4 @@
-#include "game/commands/study_command.h"
+#include "game/commands/study/study_command.h"
 
 #include "engine/assets/image/image_import.h"
 #include "engine/core/io/files.h"
@@ -24,9 +24,9 @@
 #include "game/command_line/program_words.h"
 #include "game/command_line/refuse.h"
 #include "game/command_line/shard_option.h"
-#include "game/commands/effects_command.h"
-#include "game/commands/image_study_command.h"
-#include "game/commands/scene_study_command.h"
+#include "game/commands/study/effects_command.h"
+#include "game/commands/study/image_study_command.h"
+#include "game/commands/study/scene_study_command.h"
 
 #include <fmt/format.h>
 

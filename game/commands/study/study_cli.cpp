@@ -1,7 +1,7 @@
 // The command-line words of `study`.
 #include "game/command_line/option_ranges.h"
 #include "game/command_line/shard_option.h"
-#include "game/commands/study_command.h"
+#include "game/commands/study/study_command.h"
 
 #include <CLI/CLI.hpp>
 

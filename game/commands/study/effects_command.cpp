@@ -1,4 +1,4 @@
-#include "game/commands/effects_command.h"
+#include "game/commands/study/effects_command.h"
 
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"

@@ -1,11 +1,11 @@
-#include "game/commands/scene_study_command.h"
+#include "game/commands/study/scene_study_command.h"
 
 #include "engine/core/io/files.h"
 #include "engine/core/log.h"
 #include "engine/study/auto_preset/study_cache.h"
 #include "engine/study/machine.h"
 #include "engine/study/progress.h"
-#include "game/commands/saved_start.h"
+#include "game/commands/study/saved_start.h"
 
 #include <fmt/format.h>
 
