@@ -95,6 +95,15 @@ std::vector<bool> wait_for_answers(const std::vector<Slot>& slots) {
     return wait_for_output(busy, wait_s);
 }
 
+std::vector<Precision> precisions_of(std::span<const Job> jobs) {
+    std::vector<Precision> needed;
+    for (const Job& job : jobs) {
+        if (std::ranges::find(needed, job.precision) == needed.end())
+            needed.push_back(job.precision);
+    }
+    return needed;
+}
+
 }  // namespace
 
 WorkerPrograms sibling_programs() {
@@ -129,12 +138,8 @@ Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Prec
 Result<bool> run_jobs(std::span<const Job> jobs,
                       const Workers& workers,
                       const std::function<void(std::size_t job, const Answer& answer)>& done) {
-    std::vector<Precision> needed;
-    for (const Job& job : jobs) {
-        if (std::ranges::find(needed, job.precision) == needed.end())
-            needed.push_back(job.precision);
-    }
-    if (Result<Done> there = check_programs(workers.programs, needed); !there) return there.error();
+    if (Result<Done> there = check_programs(workers.programs, precisions_of(jobs)); !there)
+        return there.error();
     const auto slot_count = static_cast<std::size_t>(std::max(1, workers.count));
     std::vector<Slot> slots;
     slots.reserve(slot_count);
