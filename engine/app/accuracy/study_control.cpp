@@ -1,6 +1,7 @@
 #include "engine/app/accuracy/study_control.h"
 
 #include "engine/core/log.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/study/machine.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace {
 
 /// For the whole of it, unless effects that bodies feel ask for more.
 constexpr double kWall_s = 18.0;
+constexpr double kQuiet_s = 10.0;
 
 }  // namespace
 
@@ -42,6 +44,7 @@ void StudyControl::start() {
     study::Workers workers{.count = std::max(1, study::default_workers() - 1)};
     workers.programs.priority = Priority::Idle;
     revision_ = 0;
+    heard_s_ = wall_s();
     live_ = std::make_unique<study::LiveStudy>(
         study::SceneStudyOptions{.scene = session_.description().file,
                                  .start = study::scene_start_of(simulation),
@@ -58,6 +61,7 @@ void StudyControl::take_answers() {
     forget_other_scene();
     if (!live_ || live_->revision() == revision_) return;
     revision_ = live_->revision();
+    heard_s_ = wall_s();
     study::LiveStudy::State state = live_->state();
     if (!state.study.subject.points.empty()) study_ = state.study;
     if (state.ended) end(state);
@@ -72,6 +76,10 @@ void StudyControl::end(const study::LiveStudy::State& state) {
         key_,
         {.study = state.study, .grid = study::GridSize::Quick, .made_on = study::today_text()});
     if (!kept) log_warning("the study could not be cached: {}", kept.error().message);
+}
+
+bool StudyControl::waits_for_processor() const {
+    return live_ && wall_s() - heard_s_ > kQuiet_s;
 }
 
 study::StudyProgress StudyControl::progress() const {

@@ -33,6 +33,8 @@ public:
     const study::SceneStudy* study() const { return study_ ? &*study_ : nullptr; }
     bool runs() const { return live_ != nullptr; }
     study::StudyProgress progress() const;
+    /// Other work, drawing for one, leaves it no time: nothing came for 10 s.
+    bool waits_for_processor() const;
     /// Things that play made, which the study that was started last leaves out.
     std::size_t left_out() const { return left_out_; }
     /// Why the latest one came to nothing; empty: it did not.
@@ -46,6 +48,7 @@ private:
     std::filesystem::path folder_;
     std::unique_ptr<study::LiveStudy> live_;
     std::uint64_t revision_{0};  ///< of `live_`, taken last
+    double heard_s_{0};          ///< wall time of its start, or of what it last said
     std::optional<study::SceneStudy> study_;
     study::StudyKey key_{};  ///< of the scene that both belong to
     std::uint64_t generation_{0};

@@ -200,7 +200,9 @@ void draw_buttons(const StudyControl& control, Requests& requests) {
     ImGui::SameLine();
     const study::StudyProgress progress = control.progress();
     const std::string words =
-        fmt::format("{:.0f} %, {:.0f} s left", 100.0 * progress.share, progress.left_s);
+        control.waits_for_processor()
+            ? "waits for the processor"
+            : fmt::format("{:.0f} %, {:.0f} s left", 100.0 * progress.share, progress.left_s);
     ImGui::ProgressBar(static_cast<float>(progress.share), {-1.0F, 0.0F}, words.c_str());
 }
 
