@@ -45,14 +45,20 @@ std::vector<FidelityPrice> prices_of(std::span<const Point> points, std::string_
 }
 
 std::string price_text(std::span<const FidelityPrice> prices) {
+    constexpr double kNotTold = 1e-5;
     std::string text;
-    for (const FidelityPrice& price : prices)
-        text += fmt::format("{}{}: {:+.3f} ms a frame, error {:.2g} % to {:.2g} %",
+    for (const FidelityPrice& price : prices) {
+        const std::string errors =
+            std::max(price.error_before, price.error) < kNotTold
+                ? "error below 0.001 % with either"
+                : fmt::format(
+                      "error {:.2g} % to {:.2g} %", price.error_before * 100, price.error * 100);
+        text += fmt::format("{}{}: {:+.3f} ms a frame, {}",
                             text.empty() ? "" : "\n",
                             word_of(price.fidelity),
                             price.more_ms,
-                            price.error_before * 100,
-                            price.error * 100);
+                            errors);
+    }
     return text;
 }
 

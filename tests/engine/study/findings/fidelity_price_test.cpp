@@ -40,5 +40,13 @@ TEST(FidelityPrice, IsTheDifferenceToTheSameWithoutIt) {
               "precise: +2.000 ms a frame, error 2 % to 0.5 %");
 }
 
+TEST(FidelityPrice, ErrorsThatNobodySeesAreNotCompared) {
+    EXPECT_EQ(price_text(std::vector<FidelityPrice>{{.fidelity = scene::Fidelity::Draft,
+                                                     .more_ms = -0.5,
+                                                     .error = 2e-8,
+                                                     .error_before = 1e-8}}),
+              "draft: -0.500 ms a frame, error below 0.001 % with either");
+}
+
 }  // namespace
 }  // namespace plumbline::study
