@@ -83,7 +83,7 @@ bool StudyControl::waits_for_processor() const {
 }
 
 study::StudyProgress StudyControl::progress() const {
-    return live_ ? live_->state().progress : study::StudyProgress{};
+    return live_ ? live_->progress() : study::StudyProgress{};
 }
 
 }  // namespace plumbline::app

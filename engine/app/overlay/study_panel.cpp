@@ -108,6 +108,7 @@ void draw_points(const study::SceneStudy& study,
     draw_tolerance(list, frame, diagram.error.place_of(static_cast<double>(marks.tolerance)));
     for (std::size_t i = 1; i < diagram.front.size(); ++i)
         list.AddLine(frame.at(diagram.front[i - 1]), frame.at(diagram.front[i]), kAxes, 1.5F);
+    const std::string present = study::setting_text(marks.present);
     for (const DiagramPoint& point : diagram.points) {
         const Setting& setting = study.subject.points[point.of].setting;
         const ImVec2 at = frame.at(point.place);
@@ -115,7 +116,7 @@ void draw_points(const study::SceneStudy& study,
             list.AddCircleFilled(at, radius_px, color_of(setting));
         else  // the other program's
             list.AddCircle(at, radius_px, color_of(setting), 0, 1.5F);
-        if (study::setting_text(setting) == study::setting_text(marks.present))
+        if (study::setting_text(setting) == present)
             list.AddCircle(at, 1.9F * radius_px, kPresent, 0, 2.0F);
         if (point.of == marks.chosen) list.AddCircle(at, 2.6F * radius_px, kTolerance, 0, 2.0F);
     }

@@ -35,6 +35,11 @@ LiveStudy::State LiveStudy::state() const {
     return state_;
 }
 
+StudyProgress LiveStudy::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return state_.progress;
+}
+
 std::uint64_t LiveStudy::revision() const {
     const std::scoped_lock lock(mutex_);
     return revision_;

@@ -30,6 +30,7 @@ public:
         std::string failure{};  ///< of one that ended without a study
     };
     State state() const;
+    StudyProgress progress() const;  ///< of state(), without a copy of the study
     /// Another number where state() has changed in more than its progress.
     std::uint64_t revision() const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/app/session.h"
+#include "tests/support/scoped_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fmt/format.h>
@@ -51,7 +52,6 @@ inline const std::string kTwoCubes =
 class SessionTest : public testing::Test {
 protected:
     SessionTest() {
-        ::setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
         folder_.write("config/surfaces.toml", "[wood]\nfriction = 0.5\n");
         folder_.write("scene.toml", kTwoCubes);
     }
@@ -70,6 +70,7 @@ protected:
     }
 
     test::TemporaryFolder folder_;
+    test::ScopedVariable cache_{"XDG_CACHE_HOME", (folder_ / "cache").string()};
 };
 
 }  // namespace plumbline::app

@@ -1,9 +1,10 @@
 #include "engine/study/scene_start.h"
 
 #include "tests/scenarios/scene_run.h"
+#include "tests/support/scoped_variable.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -12,9 +13,6 @@ namespace {
 
 class SceneStartTest : public testing::Test {
 protected:
-    SceneStartTest() { ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1); }
-    ~SceneStartTest() override { std::filesystem::remove(file_); }
-
     /// As a worker has it, after what was written was read.
     PlayedScene played_from(const SceneStart& start, const Setting& setting) {
         const Result<scene::OpenedScene> opened = open_for_study(
@@ -31,8 +29,9 @@ protected:
     }
 
     assets::AssetLibrary library_;
-    std::filesystem::path file_{std::filesystem::temp_directory_path() /
-                                ("plumbline_start_" + std::to_string(getpid()))};
+    test::TemporaryFolder folder_;
+    std::filesystem::path file_{folder_ / "start"};
+    test::ScopedVariable data_{"PLUMBLINE_DATA", PL_SOURCE_DIR};
 };
 
 TEST_F(SceneStartTest, GoesOnToTheSameBits) {
