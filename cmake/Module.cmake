@@ -19,8 +19,7 @@ endif()
 function(plumbline_target_settings target)
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    target_include_directories(${target} PUBLIC
-        "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>" "$<INSTALL_INTERFACE:include/plumbline>")
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>")
     # The same numbers on every build: no fused multiply-add behind our back.
     target_compile_options(${target} PRIVATE -ffp-contract=off)
     plumbline_warnings(${target})

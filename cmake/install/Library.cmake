@@ -8,7 +8,8 @@ foreach(target IN LISTS targets)
 endforeach()
 install(TARGETS ${targets} EXPORT plumbline-targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
+    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/plumbline")
 if(BUILD_SHARED_LIBS)
     set_target_properties(plumbline plumbline-f64 PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 endif()
@@ -30,6 +31,9 @@ install(FILES
     "${CMAKE_BINARY_DIR}/install/plumbline-config-version.cmake"
     DESTINATION "${package}" COMPONENT library)
 
+# The folders as seen from that of the pkg-config files, whatever their names.
+set(pkgconfig "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+file(RELATIVE_PATH includes "/${pkgconfig}" "/${CMAKE_INSTALL_INCLUDEDIR}/plumbline")
 foreach(suffix "" _f64)
     set(double "")
     set(bullet "-lBulletDynamics -lBulletCollision -lLinearMath")
@@ -40,5 +44,5 @@ foreach(suffix "" _f64)
     configure_file(cmake/install/plumbline-physics.pc.in
         "${CMAKE_BINARY_DIR}/install/plumbline-physics${suffix}.pc" @ONLY)
     install(FILES "${CMAKE_BINARY_DIR}/install/plumbline-physics${suffix}.pc"
-        DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT library)
+        DESTINATION "${pkgconfig}" COMPONENT library)
 endforeach()

@@ -6,5 +6,8 @@ foreach(component IN LISTS plumbline_FIND_COMPONENTS)
         return()
     endif()
 endforeach()
+if(TARGET plumbline::physics)  # found before
+    return()
+endif()
 include("${CMAKE_CURRENT_LIST_DIR}/PhysicsDependencies.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/plumbline-targets.cmake")

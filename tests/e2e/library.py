@@ -52,6 +52,16 @@ def heights(output):
     return [float(line[1]) for line in lines]
 
 
+def found_twice(example):
+    """As where two parts of a project each look for it."""
+    other = folder / "twice"
+    shutil.copytree(example, other)
+    text = (example / "CMakeLists.txt").read_text()
+    line = next(line for line in text.splitlines() if line.startswith("find_package"))
+    (other / "CMakeLists.txt").write_text(text.replace(line, f"{line}\n{line}"))
+    run("cmake", "-S", other, "-B", other / "made", f"-DCMAKE_PREFIX_PATH={prefix}")
+
+
 def other_versions_and_components(example):
     text = (example / "CMakeLists.txt").read_text()
     for old, new, said in (("plumbline 0.1", "plumbline 7.0", "requested version \"7.0\""),
@@ -71,6 +81,7 @@ try:
     assert 0 < sunk[0] < 50 < sunk[1], f"the tower stands with small_step alone: {sunk}"
     assert heights(with_pkg_config(example)) == sunk
     assert abs(heights(with_pkg_config(example, "_f64"))[0] - sunk[0]) < 1
+    found_twice(example)
     other_versions_and_components(example)
 finally:
     shutil.rmtree(folder, ignore_errors=True)
