@@ -15,7 +15,7 @@ function(plumbline_make_precompiled name)
     target_include_directories(${name} PUBLIC "${CMAKE_SOURCE_DIR}")
     target_compile_options(${name} PRIVATE -ffp-contract=off)
     target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
-    target_link_libraries(${name} PUBLIC glm::glm fmt::fmt ${ARG_LINKS})
+    target_link_libraries(${name} PUBLIC plumbline::glm fmt::fmt ${ARG_LINKS})
     plumbline_warnings(${name})
     plumbline_sanitizers(${name})
     target_precompile_headers(${name} PRIVATE

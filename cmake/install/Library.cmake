@@ -1,7 +1,8 @@
-# The physics as a library: find_package(plumbline COMPONENTS physics), or pkg-config. docs/LIBRARY.md.
+# The physics as a library, and our world for Bullet programs: find_package(plumbline COMPONENTS physics bullet_world), or pkg-config. docs/LIBRARY.md.
 include(CMakePackageConfigHelpers)
 
-set(targets plumbline_core plumbline_core_f64 plumbline_physics plumbline_physics_f64)
+set(targets plumbline_core plumbline_core_f64 plumbline_physics plumbline_physics_f64
+    plumbline_bullet_world plumbline_bullet_world_f64)
 foreach(target IN LISTS targets)
     string(REPLACE plumbline_ "" name ${target})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
@@ -20,6 +21,7 @@ install(DIRECTORY engine/core DESTINATION "${headers}" COMPONENT library
     FILES_MATCHING PATTERN "*.h" PATTERN "*_impl.h" EXCLUDE)
 file(GLOB physics_headers CONFIGURE_DEPENDS engine/physics/*.h)
 install(FILES ${physics_headers} DESTINATION "${headers}/physics" COMPONENT library)
+install(FILES engine/bullet_world/small_step_dynamics_world.h DESTINATION "${headers}/bullet_world" COMPONENT library)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/plumbline")
 install(EXPORT plumbline-targets NAMESPACE plumbline:: DESTINATION "${package}" COMPONENT library)
@@ -38,11 +40,12 @@ foreach(suffix "" _f64)
     set(double "")
     set(bullet "-lBulletDynamics -lBulletCollision -lLinearMath")
     if(suffix)
-        set(double "-DPL_DOUBLE_PRECISION")
+        set(double "-DPL_DOUBLE_PRECISION -DBT_USE_DOUBLE_PRECISION")
         set(bullet "-lBulletDynamics-float64 -lBulletCollision-float64 -lLinearMath-float64")
     endif()
-    configure_file(cmake/install/plumbline-physics.pc.in
-        "${CMAKE_BINARY_DIR}/install/plumbline-physics${suffix}.pc" @ONLY)
-    install(FILES "${CMAKE_BINARY_DIR}/install/plumbline-physics${suffix}.pc"
-        DESTINATION "${pkgconfig}" COMPONENT library)
+    foreach(name plumbline-physics plumbline-bullet-world)
+        set(file "${CMAKE_BINARY_DIR}/install/${name}${suffix}.pc")
+        configure_file(cmake/install/${name}.pc.in "${file}" @ONLY)
+        install(FILES "${file}" DESTINATION "${pkgconfig}" COMPONENT library)
+    endforeach()
 endforeach()

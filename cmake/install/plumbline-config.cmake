@@ -1,8 +1,8 @@
-# plumbline::physics, and plumbline::physics_f64 with Real as double.
+# plumbline::physics and plumbline::bullet_world; those with _f64 compute in double precision.
 foreach(component IN LISTS plumbline_FIND_COMPONENTS)
-    if(NOT component STREQUAL physics)
+    if(NOT component MATCHES "^(physics|bullet_world)$")
         set(plumbline_FOUND FALSE)
-        set(plumbline_NOT_FOUND_MESSAGE "plumbline has no component ${component}; known: physics")
+        set(plumbline_NOT_FOUND_MESSAGE "plumbline has no component ${component}; known: physics, bullet_world")
         return()
     endif()
 endforeach()

@@ -1,9 +1,42 @@
-// What touched what in the latest step.
+// What touches what, and how: materials, and what the latest step found.
 #pragma once
 
 #include "engine/physics/body.h"
 
 namespace plumbline::physics {
+
+/// What a body is made of, as its contacts feel it, or what two materials make together.
+struct Material {
+    Real friction{0};
+    Real restitution{0};
+    Real rolling_m{0};   ///< torque against rolling per newton pressed
+    Real spinning_m{0};  ///< ... against spinning about the normal
+};
+
+/// What a caller decides about pairs of bodies, which are given by their marks (BodyDef::user). Asked in
+/// the midst of a step, so it must not change the world. small_step only.
+class PairRules {
+public:
+    virtual ~PairRules() = default;
+    /// Of two bodies whose filters agree and whose boxes come to overlap.
+    virtual bool may_touch(std::uint64_t user_a, std::uint64_t user_b) const = 0;
+    /// Of two bodies that begin to touch.
+    virtual Material combined(std::uint64_t user_a, std::uint64_t user_b) const = 0;
+};
+
+/// A contact point as the latest step left it.
+struct ContactPoint {
+    BodyId a{};
+    BodyId b{};
+    std::uint64_t user_a{0};
+    std::uint64_t user_b{0};
+    Vec3 point_a_world{0, 0, 0};  ///< m, on the surface
+    Vec3 point_b_world{0, 0, 0};
+    Vec3 normal_world{0, 1, 0};  ///< from b to a
+    Real distance_m{0};          ///< negative: penetration
+    Real impulse_Ns{0};          ///< normal, over the whole step
+    int age_steps{0};            ///< 0: found in this step
+};
 
 /// One touching pair. Listed when either body asked for contact events.
 struct ContactEvent {

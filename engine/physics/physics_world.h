@@ -58,6 +58,8 @@ struct WorldDef {
     Solver solver{Solver::SmallStep};
     JointMethod joints{JointMethod::Direct};  ///< small_step only
     std::uint32_t seed{0};                    ///< of the solver's own shuffling, where it has any
+    /// Outlives the world, which keeps those that it began with. None: filters and combined() of materials decide.
+    const PairRules* pair_rules{nullptr};
 };
 
 /// Optional behaviour of the world. Each costs nothing while off (effects decide).
@@ -151,8 +153,12 @@ public:
 
 private:
     friend const WorldState& internals(const PhysicsWorld& world);
+    friend void destroy_joint(PhysicsWorld& world, JointId id);
 
     std::unique_ptr<WorldState> state_;
 };
+
+/// Ends a joint, broken or not, and gives its id back; both its ends wake.
+void destroy_joint(PhysicsWorld& world, JointId id);
 
 }  // namespace plumbline::physics

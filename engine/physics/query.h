@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/body.h"
+#include "engine/physics/contact.h"
 
 #include <optional>
 #include <vector>
@@ -67,6 +68,8 @@ std::vector<BodyId> bodies_in_box(const PhysicsWorld& world,
                                   const Vec3& min_world,
                                   const Vec3& max_world,
                                   const QueryFilter& filter = {});
+/// Every contact point of the latest step, those of sleeping bodies too, pair by pair; `points` is overwritten.
+void contact_points(const PhysicsWorld& world, std::vector<ContactPoint>& points);
 /// World-space box of a body's shape at its present pose.
 void bounds(const PhysicsWorld& world, BodyId id, Vec3& min_world, Vec3& max_world);
 

@@ -21,6 +21,7 @@ MAY_INCLUDE = {
     "input": FOUNDATION,
     "assets": FOUNDATION,
     "physics": FOUNDATION,
+    "bullet_world": FOUNDATION | {"physics"},
     "audio": FOUNDATION | {"assets"},
     "render": FOUNDATION | {"assets"},
     "scene": WORLD,
@@ -33,10 +34,10 @@ MAY_INCLUDE = {
 # Modules whose folders are private: only the headers beside their CMakeLists.txt are for others.
 PRIVATE_FOLDERS = {"physics"}
 
-# Start of a library's headers -> the folder outside of which no file sees them, not even through
+# Start of a library's headers -> the folders outside of which no file sees them, not even through
 # another header.
-CONFINED = {"bullet/": "engine/physics/bullet/", "bt": "engine/physics/bullet/",
-            "Bullet": "engine/physics/bullet/", "LinearMath/": "engine/physics/bullet/"}
+BULLET = ("engine/physics/bullet/", "engine/bullet_world/")
+CONFINED = {"bullet/": BULLET, "bt": BULLET, "Bullet": BULLET, "LinearMath/": BULLET}
 # Names of a library's types -> the same: not even declared outside.
 CONFINED_NAME = re.compile(r"\bbt[A-Z]\w+")
 COMMENT = re.compile(r"//.*")
@@ -61,10 +62,10 @@ THIRD_PARTY = {
     "stb/": {"assets"},
     "stb_": {"assets"},
     "meshoptimizer.h": {"assets"},
-    "bullet/": {"physics"},
-    "bt": {"physics"},
-    "Bullet": {"physics"},
-    "LinearMath/": {"physics"},
+    "bullet/": {"physics", "bullet_world"},
+    "bt": {"physics", "bullet_world"},
+    "Bullet": {"physics", "bullet_world"},
+    "LinearMath/": {"physics", "bullet_world"},
     "AL/": {"audio"},
     "glad/": {"render"},
     "toml++/": {"input", "scene", "app"},
@@ -75,6 +76,8 @@ THIRD_PARTY = {
     "CLI/": {"game"},
 }
 EVERYWHERE = {"glm/", "fmt/"}  # in public headers too
+# Modules whose public headers extend a library's own types.
+EXTENDS = {"bullet_world": {"bt", "Bullet"}}
 
 # What the language and the operating system bring: any header without one of the prefixes above
 # must be one of these.
@@ -142,7 +145,7 @@ def problem_with_foreign(path, included):
     module = module_of(path)
     if module not in owners:
         return f"{module} must not include {included}; it belongs to {', '.join(sorted(owners))}"
-    if is_public_header(path) and prefix not in EVERYWHERE:
+    if is_public_header(path) and prefix not in EVERYWHERE | EXTENDS.get(module, set()):
         return f"{included} must stay in .cpp files and private headers"
     return None
 
@@ -155,15 +158,15 @@ def confined_to(header):
 
 def problems_with_confined(includes):
     """Files that see a confined library from outside its folder. `includes`: path -> what it names."""
-    seen_through = {}  # path -> the folder whose library it sees
+    seen_through = {}  # path -> the folders whose library it sees
 
-    def folder_seen_by(path, on_the_way=()):
+    def folders_seen_by(path, on_the_way=()):
         if path not in seen_through and path not in on_the_way:
             for _, own, foreign in includes.get(path, ()):
-                folder = (confined_to(foreign) if foreign
-                          else folder_seen_by(own, on_the_way + (path,)))
-                if folder:
-                    seen_through[path] = folder
+                folders = (confined_to(foreign) if foreign
+                           else folders_seen_by(own, on_the_way + (path,)))
+                if folders:
+                    seen_through[path] = folders
                     break
             else:
                 seen_through[path] = None
@@ -172,9 +175,9 @@ def problems_with_confined(includes):
     for path, lines in includes.items():
         for number, own, foreign in lines:
             name = own or foreign
-            folder = folder_seen_by(own) if own else confined_to(foreign)
-            if folder and not path.startswith(folder):
-                yield f"{path}:{number}: {name} shows what only {folder} may see"
+            folders = folders_seen_by(own) if own else confined_to(foreign)
+            if folders and not path.startswith(folders):
+                yield f"{path}:{number}: {name} shows what only {' and '.join(folders)} may see"
 
 
 def problems_of_tests(root):
@@ -203,9 +206,9 @@ def check(root):
             found = INCLUDE.match(line)
             if not found:
                 named = CONFINED_NAME.search(COMMENT.sub("", line))
-                if named and not path.startswith(CONFINED["bt"]):
+                if named and not path.startswith(BULLET):
                     problems.append(f"{path}:{number}: {named.group()} is named outside "
-                                    f"{CONFINED['bt']}")
+                                    f"{' and '.join(BULLET)}")
                 continue
             own, foreign = found.groups()
             includes.setdefault(path, []).append((number, own, foreign))

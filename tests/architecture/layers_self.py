@@ -79,12 +79,13 @@ class Layers(unittest.TestCase):
         self.assertEqual(problems_of("engine/physics/bullet/a.h", text), [])
         self.assertEqual(problems_of("engine/physics/world/a.cpp", text),
                          ["engine/physics/world/a.cpp:1: btBulletDynamicsCommon.h shows what only "
-                          "engine/physics/bullet/ may see"])
+                          "engine/physics/bullet/ and engine/bullet_world/ may see"])
+        self.assertEqual(problems_of("engine/bullet_world/a.h", text), [])
 
     def test_bullet_is_not_even_named_outside_its_folder(self):
         self.assertEqual(problems_of("engine/physics/world/a.h", "// a btRigidBody\nclass btRigidBody;\n"),
                          ["engine/physics/world/a.h:2: btRigidBody is named outside "
-                          "engine/physics/bullet/"])
+                          "engine/physics/bullet/ and engine/bullet_world/"])
         self.assertEqual(problems_of("engine/physics/bullet/a.h", "class btRigidBody;\n"), [])
 
     def test_bullet_is_not_seen_through_another_header(self):
@@ -95,7 +96,7 @@ class Layers(unittest.TestCase):
                                               '#include "engine/physics/bullet/b.h"\n'}
         self.assertEqual(problems_of_tree(tree)[0],
                          ["engine/physics/world/c.cpp:2: engine/physics/bullet/b.h shows what only "
-                          "engine/physics/bullet/ may see"])
+                          "engine/physics/bullet/ and engine/bullet_world/ may see"])
 
     def test_path_not_from_the_root_fails(self):
         self.assertEqual(

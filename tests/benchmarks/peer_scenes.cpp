@@ -7,9 +7,9 @@
 //   peer_scenes --list
 //
 // --substeps 0 is what the scene says; "given" is what islands then got, mean over bodies..most.
-// --hz applies to ours, the bare loop runs at 60; --seconds cuts a scene short; --no-bare leaves
-// the loop and the ratios out. Run it on an idle machine: memory that others use slows both sides,
-// but not alike.
+// --hz applies to ours, the bare loop runs at 60; --drop-in adds that loop with SmallStepDynamicsWorld in
+// it; --seconds cuts a scene short; --no-bare leaves the loop and the ratios out. Run it on an idle machine:
+// memory that others use slows both sides, but not alike.
 #include "engine/core/io/files.h"
 #include "tests/benchmarks/peer_scenes_run.h"
 
@@ -36,6 +36,7 @@ struct Options {
     RunSettings run{};
     std::string csv;
     bool bare{true};
+    bool drop_in{false};
     bool list{false};
 };
 
@@ -112,6 +113,8 @@ Options options_of(const std::vector<std::string_view>& words) {
             options.run.phases = true;
         } else if (word == "--no-bare") {
             options.bare = false;
+        } else if (word == "--drop-in") {
+            options.drop_in = true;
         } else if (!word.starts_with("--")) {
             add_scene(word, options);
         } else if (i + 1 < words.size() && read_value(word, words[i + 1], options)) {
@@ -127,6 +130,7 @@ Options options_of(const std::vector<std::string_view>& words) {
 std::vector<Variant> variants_of(const Options& options) {
     std::vector<Variant> variants;
     if (options.bare) variants.push_back({.engine = "bullet32", .bare = true});
+    if (options.drop_in) variants.push_back({.engine = "drop_in", .drop_in = true});
     for (const physics::Solver solver : options.solvers) {
         for (const int substeps : options.substeps) {
             variants.push_back(

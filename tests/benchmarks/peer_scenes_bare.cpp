@@ -1,4 +1,5 @@
-// Stock Bullet: every setting its own, shapes with their default margins.
+// A program of Bullet's own: every setting as Bullet has it, shapes with their default margins.
+#include "engine/bullet_world/small_step_dynamics_world.h"
 #include "tests/benchmarks/peer_scenes_world.h"
 
 #include <btBulletDynamicsCommon.h>
@@ -46,6 +47,7 @@ struct Combiners {
 /// Bullet's own: read before the first PhysicsWorld puts in ours.
 const Combiners kStock;
 
+template <class World>
 class BareWorld final : public SteppedWorld {
 public:
     BareWorld(const PeerScene& scene, double step_s)
@@ -150,7 +152,7 @@ private:
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
     btSequentialImpulseConstraintSolver solver_;
-    btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+    World world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
     std::map<std::string, int> groups_{{"default", 1}};
     Vec3 last_key_{0, 0, 0};
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
@@ -161,7 +163,11 @@ private:
 }  // namespace
 
 std::unique_ptr<SteppedWorld> make_bare_world(const PeerScene& scene, double step_s) {
-    return std::make_unique<BareWorld>(scene, step_s);
+    return std::make_unique<BareWorld<btDiscreteDynamicsWorld>>(scene, step_s);
+}
+
+std::unique_ptr<SteppedWorld> make_drop_in_world(const PeerScene& scene, double step_s) {
+    return std::make_unique<BareWorld<SmallStepDynamicsWorld>>(scene, step_s);
 }
 
 }  // namespace plumbline::bench

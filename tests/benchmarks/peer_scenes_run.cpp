@@ -22,6 +22,10 @@ public:
             world_ = make_bare_world(scene_, 1.0 / hz);
             return Done{};
         }
+        if (variant_.drop_in) {
+            world_ = make_drop_in_world(scene_, 1.0 / hz);
+            return Done{};
+        }
         auto made = make_our_world(scene_, variant_.settings);
         if (!made) return made.error();
         world_ = std::move(*made);

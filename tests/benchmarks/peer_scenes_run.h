@@ -13,6 +13,7 @@ namespace plumbline::bench {
 struct Variant {
     std::string engine;  ///< "bullet32" (bare) or a solver of ours
     bool bare{false};
+    bool drop_in{false};  ///< the bare program with our world in it
     OurSettings settings{};
 };
 

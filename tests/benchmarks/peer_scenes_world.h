@@ -83,6 +83,8 @@ protected:
 /// btDiscreteDynamicsWorld with everything at its default, as its own examples set it up.
 /// The scene must outlive it.
 std::unique_ptr<SteppedWorld> make_bare_world(const PeerScene& scene, double step_s);
+/// The same program with SmallStepDynamicsWorld in its place.
+std::unique_ptr<SteppedWorld> make_drop_in_world(const PeerScene& scene, double step_s);
 
 struct OurSettings {
     physics::Solver solver{physics::Solver::BulletSi};

@@ -1,3 +1,4 @@
+#include "engine/core/assert.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/counting_solver.h"
 #include "engine/physics/bullet/engine_parts.h"
@@ -23,14 +24,19 @@ void* allocate_or_throw(std::size_t bytes) {
     return memory;
 }
 
+/// Before main(), as a program with allocators of its own sets them there.
+const bool kMemoryIsChecked = [] {
+    btAlignedAllocSetCustom(allocate_or_throw, std::free);
+    return true;
+}();
+
 Material material_of(const btCollisionObject& a, const btCollisionObject& b) {
     return combined(record_of(a).traits.material, record_of(b).traits.material);
 }
 
-/// Its own solvers get materials combined, and all of Bullet its memory, through global function
-/// pointers, for every world of the process. Setting them again to the same functions is harmless.
-void install_global_callbacks() {
-    btAlignedAllocSetCustom(allocate_or_throw, std::free);
+/// Its own solvers get materials combined through global function pointers, for every world of the
+/// process. Setting them again to the same functions is harmless.
+void install_material_callbacks() {
     using Object = btCollisionObject;
     gCalculateCombinedFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
         return material_of(*a, *b).friction;
@@ -122,10 +128,12 @@ void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
 
 BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     : parts_(std::make_unique<Parts>()) {
-    install_global_callbacks();
+    PL_ASSERT(kMemoryIsChecked, "Bullet's memory");
+    if (def.solver != Solver::SmallStep) install_material_callbacks();
     Parts& parts = *parts_;
     parts.report = &report;
     parts.pair_filter = std::make_unique<PairFilter>();
+    parts.pair_filter->rules = def.pair_rules;
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
     parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
     if (def.solver == Solver::SmallStep) {

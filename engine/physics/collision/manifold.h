@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/math.h"
+#include "engine/physics/contact.h"
 
 #include <array>
 #include <cstdint>
@@ -42,13 +43,6 @@ struct ManifoldPoint {
     Real normal_Ns{0};  ///< over the whole of the latest step
 };
 
-/// What a body is made of, as its contacts feel it, or what two materials make together.
-struct Material {
-    Real friction{0};
-    Real restitution{0};
-    Real rolling_m{0};   ///< torque against rolling per newton pressed
-    Real spinning_m{0};  ///< ... against spinning about the normal
-};
 Material combined(const Material& a, const Material& b);
 
 /// What all points of a manifold carried together in the latest step that solved it; mean forces of

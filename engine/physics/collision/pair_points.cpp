@@ -149,16 +149,20 @@ private:
         auto place =
             std::lower_bound(pair_.manifolds.begin(), pair_.manifolds.end(), key, is_before);
         if (place == pair_.manifolds.end() || std::pair(place->part_a, place->part_b) != key) {
-            place = pair_.manifolds.insert(
-                place,
-                {.a = pair_.a,
-                 .b = pair_.b,
-                 .part_a = part_a,
-                 .part_b = part_b,
-                 .material = combined(pair_.a->traits.material, pair_.b->traits.material)});
+            place = pair_.manifolds.insert(place,
+                                           {.a = pair_.a,
+                                            .b = pair_.b,
+                                            .part_a = part_a,
+                                            .part_b = part_b,
+                                            .material = material()});
         }
         place->found = true;
         return *place;
+    }
+
+    Material material() const {
+        if (step_.rules != nullptr) return step_.rules->combined(pair_.a->user, pair_.b->user);
+        return combined(pair_.a->traits.material, pair_.b->traits.material);
     }
 
     Pair& pair_;

@@ -11,8 +11,9 @@ namespace plumbline::physics {
 /// What colliding needs to know of the step.
 struct CollideStep {
     Real step_s{0};
-    Real drop_m{0};           ///< what gravity adds to any motion within the step, at most
-    bool again{false};        ///< within a step: what the points carried in it so far stays
+    Real drop_m{0};                   ///< what gravity adds to any motion within the step, at most
+    const PairRules* rules{nullptr};  ///< the world's
+    bool again{false};                ///< within a step: what the points carried in it so far stays
     bool only_struck{false};  ///< what moves as it did before the latest impact keeps its points
     bool turned_back{false};  ///< impacts have led bodies out of the boxes that the step began with
 };

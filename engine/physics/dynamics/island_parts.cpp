@@ -105,6 +105,7 @@ void IslandParts::find_points(Island& island, double share, bool only_struck) {
     points_.collide_again(island.bodies,
                           {.step_s = step_.step_s * part,
                            .drop_m = step_.drop_m * part * part,
+                           .rules = step_.rules,
                            .again = true,
                            .only_struck = only_struck,
                            .turned_back = island.swept},

@@ -110,7 +110,7 @@ void PhysicsWorld::destroy_body(BodyId id) {
     if (!state_->bodies.contains(id)) return;
     BodyRecord& record = state_->body(id);
     set_contact_events(id, false);
-    state_->remove_joints_of(record);
+    while (!record.joints.empty()) state_->remove_joint(record.joints.front());
     state_->leave_world(record);
     state_->bodies.erase(id);
 }

@@ -1,4 +1,5 @@
-// Contact events: one line per touching pair.
+// Contact events, one line per touching pair, and contact points.
+#include "engine/physics/query.h"
 #include "engine/physics/totals.h"
 #include "engine/physics/world/world_state.h"
 
@@ -134,6 +135,24 @@ std::vector<ContactEvent> all_contacts(const PhysicsWorld& world) {
     std::vector<ContactEvent> list;
     gather_events(internals(world), true, list);
     return merged(std::move(list));
+}
+
+void contact_points(const PhysicsWorld& world, std::vector<ContactPoint>& points) {
+    points.clear();
+    internals(world).engine->each_manifold([&points](const Manifold& manifold) {
+        for (const ManifoldPoint& point : manifold.points) {
+            points.push_back({.a = manifold.a->id,
+                              .b = manifold.b->id,
+                              .user_a = manifold.a->user,
+                              .user_b = manifold.b->user,
+                              .point_a_world = point.a.surface_m,
+                              .point_b_world = point.b.surface_m,
+                              .normal_world = point.normal_world,
+                              .distance_m = point.distance_m,
+                              .impulse_Ns = point.normal_Ns,
+                              .age_steps = point.age_steps});
+        }
+    });
 }
 
 }  // namespace plumbline::physics

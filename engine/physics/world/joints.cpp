@@ -172,16 +172,17 @@ void exclude_collision(JointRecord& joint) {
     joint.b->excluded.push_back(joint.a);
 }
 
-void WorldState::remove_joints_of(const BodyRecord& record) {
-    const std::vector<JointId> ids = record.joints;
-    for (const JointId id : ids) {
-        JointRecord& joint = *joints.get(id);
-        wake_ends(joint);
-        if (!joint.state.broken) detach_joint(joint, *engine);
-        std::erase(joint.a->joints, id);
-        if (joint.b != nullptr) std::erase(joint.b->joints, id);
-        joints.erase(id);
-    }
+void WorldState::remove_joint(JointId id) {
+    JointRecord& joint = *joints.get(id);
+    wake_ends(joint);
+    if (!joint.state.broken) detach_joint(joint, *engine);
+    std::erase(joint.a->joints, id);
+    if (joint.b != nullptr) std::erase(joint.b->joints, id);
+    joints.erase(id);
+}
+
+void destroy_joint(PhysicsWorld& world, JointId id) {
+    world.state_->remove_joint(id);
 }
 
 void prepare_joints(WorldState& world) {

@@ -47,8 +47,9 @@ void SmallStepWorld::take_rate() {
     step_s_ = static_cast<Real>(parts_.def.step_s);
     drop_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     bodies.make_boxes_stale();  // they reach as far as a step takes a body
-    pairs_.set_step({.step_s = step_s_, .drop_m = drop_m_});
-    island_parts_.set_step({.step_s = step_s_, .drop_m = drop_m_});
+    const CollideStep step{.step_s = step_s_, .drop_m = drop_m_, .rules = parts_.def.pair_rules};
+    pairs_.set_step(step);
+    island_parts_.set_step(step);
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {

@@ -188,7 +188,7 @@ void WorldState::mark_invalid(BodyRecord& record) {
 
 void WorldState::isolate(BodyRecord& record) {
     if (!record.in_world) return;
-    remove_joints_of(record);
+    while (!record.joints.empty()) remove_joint(record.joints.front());
     leave_world(record);
     clear_forces(record);
     record.motion->velocity_mps = {0, 0, 0};

@@ -37,7 +37,7 @@ struct WorldState {
     /// A dynamic body has got a number that is not finite.
     void mark_invalid(BodyRecord& record);
     void place(BodyRecord& record, const Transform& world_from_mass);
-    void remove_joints_of(const BodyRecord& record);
+    void remove_joint(JointId id);
 
     /// An empty engine for the definition, which is the world's from now on.
     void build_engine(const WorldDef& world_def);

@@ -21,7 +21,8 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* first,
     const BodyRecord& b = record_behind(*second);
     if (a.rigid->isStaticOrKinematicObject() && b.rigid->isStaticOrKinematicObject()) return false;
     if (!takes_crowds && are_crowded(a, b)) return false;
-    return may_touch(a.filter, b.filter) && !collision_excluded(a, b);
+    return may_touch(a.filter, b.filter) && !collision_excluded(a, b) &&
+           (rules == nullptr || rules->may_touch(a.user, b.user));
 }
 
 void PairFilter::begin_crowd(BodyRecord& record) {

@@ -19,6 +19,7 @@ public:
             begin_crowd(record);
     }
 
+    const PairRules* rules{nullptr};
     bool takes_crowds{false};  ///< whoever asks has chosen the pair
     bool has_crowds{false};    ///< there was one
 

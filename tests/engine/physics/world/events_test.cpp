@@ -1,6 +1,9 @@
 // Contact events: one line per touching pair.
+#include "engine/physics/query.h"
 #include "engine/physics/totals.h"
 #include "tests/engine/physics/world/asleep.h"
+
+#include <cmath>
 
 namespace plumbline::physics {
 namespace {
@@ -100,6 +103,34 @@ TEST(SleepingContacts, EndWhenNoBodyAsksForThemOrOneIsGone) {
     other.test.world.destroy_body(other.ground);
     other.test.world.step();
     EXPECT_TRUE(other.test.world.report().contacts.empty());
+}
+
+TEST(ContactPoints, CarryTheWeightAsleepToo) {
+    TestWorld test;
+    const BodyId floor = test.ground();
+    const BodyId box =
+        test.add(BoxShape{}, {0, 0.5_r, 0}, {.kind = BodyKind::Dynamic, .mass_kg = 3, .user = 7});
+    std::vector<ContactPoint> points{{}, {}};
+    contact_points(test.world, points);
+    EXPECT_TRUE(points.empty());
+    for (const double time_s : {1.0, 5.0}) {
+        test.run(time_s);
+        contact_points(test.world, points);
+        ASSERT_EQ(points.size(), 4U);
+        double impulse_Ns = 0;
+        for (const ContactPoint& point : points) {
+            EXPECT_EQ(point.a, floor);
+            EXPECT_EQ(point.b, box);
+            EXPECT_EQ(point.user_b, 7U);
+            EXPECT_NEAR(static_cast<double>(point.normal_world.y), -1, 1e-3);
+            EXPECT_NEAR(static_cast<double>(point.point_a_world.y), 0, 1e-3);
+            EXPECT_NEAR(std::abs(static_cast<double>(point.point_b_world.x)), 0.5, 1e-3);
+            EXPECT_GT(point.age_steps, 0);
+            impulse_Ns += static_cast<double>(point.impulse_Ns);
+        }
+        EXPECT_NEAR(impulse_Ns, 3 * kG / 60, 1e-3);
+    }
+    EXPECT_FALSE(test.world.state(box).awake);
 }
 
 }  // namespace

@@ -260,5 +260,26 @@ TEST_P(JointLife, SameCallsSameBits) {
     EXPECT_EQ(run(0), run(1000));
 }
 
+TEST_P(JointLife, OneThatIsDestroyedLetsGoAndItsBodiesMayTouch) {
+    TestWorld test(bar().world());
+    test.ground();
+    const BodyId rod = test.add(kRod, {0, 3, 0}, kSleepyBody);
+    const BodyId below = test.add(kRod, {0, 2, 0}, kSleepyBody);
+    const JointId top = join(test, {.a = rod, .anchor_a_world = {0, 3.5_r, 0}});
+    const JointId between = join(test, {.a = rod, .b = below, .anchor_a_world = {0, 2.5_r, 0}});
+    test.run(3);
+    EXPECT_NEAR(test.at(below).y, 2, 0.01);
+    destroy_joint(test.world, between);
+    EXPECT_FALSE(test.world.contains(between));
+    EXPECT_TRUE(test.world.contains(top));
+    test.run(1);
+    EXPECT_NEAR(test.at(below).y, 0.5, 0.05);
+    destroy_joint(test.world, top);
+    test.run(0.3);
+    EXPECT_NEAR(test.at(rod).y, 3 - kG * 0.09 / 2, 0.05);
+    test.run(2);
+    EXPECT_GT(test.at(rod).y, 0.2) << "one rod lies beside or on the other";
+}
+
 }  // namespace
 }  // namespace plumbline::physics
