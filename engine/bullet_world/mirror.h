@@ -6,6 +6,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -62,11 +63,11 @@ struct Mirror {
     btVector3 spin{0, 0, 0};
     bool awake{true};
 
-    std::uint64_t mark() const { return reinterpret_cast<std::uintptr_t>(this); }
+    std::uint64_t mark() const { return std::bit_cast<std::uint64_t>(this); }
 };
 
 inline const Mirror& mirror_of(std::uint64_t mark) {
-    return *reinterpret_cast<const Mirror*>(mark);
+    return *std::bit_cast<const Mirror*>(mark);
 }
 
 /// Sentences, each kept and logged once.

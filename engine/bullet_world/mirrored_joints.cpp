@@ -36,19 +36,15 @@ bool can_move(const PhysicsWorld& world, BodyId body) {
 /// that moment.
 class Aligned {
 public:
-    Aligned(PhysicsWorld& world, BodyId a, BodyId b, const ForeignJoint& joint) : world_(world) {
-        const Pose a_joint = compose(pose_in(world, a, *joint.a), joint.a_from_joint);
-        const Pose b_joint = compose(pose_in(world, b, *joint.b), joint.b_from_joint);
-        world_from_joint = a_joint;
-        moved_ = b;
-        Pose there = compose(a_joint, invert(joint.b_from_joint));
-        if (!can_move(world, b)) {
-            world_from_joint = b_joint;
-            moved_ = a;
-            there = compose(b_joint, invert(joint.a_from_joint));
-        }
-        before_ = world.state(moved_).world_from_body;
-        world.set_pose(moved_, there);
+    Aligned(PhysicsWorld& world, BodyId a, BodyId b, const ForeignJoint& joint)
+        : world_from_joint(can_move(world, b)
+                               ? compose(pose_in(world, a, *joint.a), joint.a_from_joint)
+                               : compose(pose_in(world, b, *joint.b), joint.b_from_joint)),
+          world_(world),
+          moved_(can_move(world, b) ? b : a),
+          before_(world.state(moved_).world_from_body) {
+        const Pose& body_from_joint = moved_ == b ? joint.b_from_joint : joint.a_from_joint;
+        world.set_pose(moved_, compose(world_from_joint, invert(body_from_joint)));
     }
     ~Aligned() { world_.set_pose(moved_, before_); }
     Aligned(const Aligned&) = delete;

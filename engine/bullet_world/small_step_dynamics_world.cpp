@@ -113,10 +113,9 @@ void SmallStepDynamicsWorld::removeRigidBody(btRigidBody* body) {
 }
 
 void SmallStepDynamicsWorld::removeCollisionObject(btCollisionObject* object) {
-    if (btRigidBody* rigid = btRigidBody::upcast(object); rigid != nullptr)
-        return removeRigidBody(rigid);
-    forget(*object);
-    btCollisionWorld::removeCollisionObject(object);
+    if (btRigidBody::upcast(object) == nullptr) forget(*object);
+    btDiscreteDynamicsWorld::removeCollisionObject(
+        object);  // ... by removeRigidBody(), if it is one
 }
 
 void SmallStepDynamicsWorld::removeConstraint(btTypedConstraint* constraint) {
