@@ -42,9 +42,10 @@ struct GoalState {
     int counted{0};
     int wanted{0};
     GoalEnd end{GoalEnd::Open};
-    double passed_s{0};                ///< on the goal's clock; at its end, once it ended
-    std::optional<double> left_s{};    ///< absent: there is time without end
-    std::optional<int> throws_left{};  ///< absent: as many as one likes
+    double passed_s{0};                   ///< on the goal's clock; at its end, once it ended
+    std::optional<double> holds_for_s{};  ///< enough of them count, and must for so long yet
+    std::optional<double> left_s{};       ///< absent: there is time without end
+    std::optional<int> throws_left{};     ///< absent: as many as one likes
 };
 
 /// What the HUD says for the game; the app draws it.
@@ -79,6 +80,8 @@ public:
     /// The pointer stays the person's: the view follows it while a button is down.
     virtual bool frees_pointer() const { return false; }
     virtual HudContent hud(const Simulation&) { return {}; }
+    /// In which the scene's goal was reached, on its clock; none: not yet, or there is none.
+    virtual std::optional<double> won_in_s() const { return {}; }
     /// Outlines that belong to the HUD, of an instant between the last two steps.
     virtual void add_lines(const Simulation&, Real /*blend*/, LineList&) const {}
 

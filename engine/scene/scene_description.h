@@ -317,6 +317,7 @@ struct GoalDescription {
     std::optional<Region> inside{};    ///< their origin is in it
     std::optional<Region> outside{};   ///< it is not, or they are gone
     int count{0};                      ///< so many at once win; 0: all
+    double holds_s{0.5};               ///< they must count for so long
     std::optional<double> within_s{};  ///< from the first thing thrown, dropped, taken or counted
     std::optional<int> throws{};       ///< things that may be thrown or dropped
     std::string with;                  ///< the prefab that they are; empty: anyone's choice

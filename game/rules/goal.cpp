@@ -9,7 +9,6 @@
 namespace plumbline::game {
 namespace {
 
-constexpr double kSettled_s = 0.5;    // what only flies through does not count
 constexpr double kLastThrow_s = 6.0;  // for the last thing thrown to do its work
 
 bool is_within(const scene::Region& region, const Vec3& point_m) {
@@ -57,6 +56,9 @@ bool Goal::guards(ecs::Entity entity) const {
 bool Goal::counts(const scene::Simulation& simulation, ecs::Entity thing) const {
     const auto* place = simulation.registry.find<scene::Transform>(thing);
     if (place == nullptr) return !goal_.inside;
+    const auto* body = simulation.registry.find<scene::BodyRef>(thing);
+    if (goal_.inside && body != nullptr && simulation.physics.state(body->body).frozen)
+        return false;  // it is held there
     const Vec3 at_m = place->world_from_body.position;
     if (goal_.below_m) return at_m.y < *goal_.below_m;
     return goal_.inside ? is_within(*goal_.inside, at_m) : !is_within(*goal_.outside, at_m);
@@ -69,12 +71,18 @@ std::string Goal::end(scene::GoalEnd how, double at_s) {
     return fmt::format("lost: {} of {}", counted_, wanted_);
 }
 
-std::optional<std::string> Goal::judge(const scene::Simulation& simulation) {
+std::optional<double> Goal::won_in_s() const {
+    if (end_ != scene::GoalEnd::Won) return {};
+    return ended_s_;
+}
+
+std::optional<std::string> Goal::judge(const scene::Simulation& simulation, ecs::Entity in_hand) {
     if (end_ != scene::GoalEnd::Open) return {};
     counted_ = goal_.triggers
                    ? simulation.counted
-                   : static_cast<int>(std::ranges::count_if(
-                         things_, [&](ecs::Entity thing) { return counts(simulation, thing); }));
+                   : static_cast<int>(std::ranges::count_if(things_, [&](ecs::Entity thing) {
+                         return thing != in_hand && counts(simulation, thing);
+                     }));
     const double now_s = simulation.time_s();
     if (counted_ > 0) begin(simulation);
     if (counted_ < wanted_) {
@@ -82,12 +90,13 @@ std::optional<std::string> Goal::judge(const scene::Simulation& simulation) {
     } else if (!reached_s_) {
         reached_s_ = now_s;
     }
-    // What counts when the time is up need not wait.
-    const bool is_over = goal_.within_s && passed_s(simulation) >= *goal_.within_s;
-    if (reached_s_ && (is_over || now_s - *reached_s_ >= kSettled_s))
+    if (reached_s_) {  // after the end of the time too: it may hold
+        if (now_s - *reached_s_ < goal_.holds_s) return {};
         return end(scene::GoalEnd::Won, *reached_s_ - *start_s_);
-    const bool none_left = goal_.throws && thrown_ >= *goal_.throws && !reached_s_ &&
-                           now_s - last_throw_s_ >= kLastThrow_s;
+    }
+    const bool is_over = goal_.within_s && passed_s(simulation) >= *goal_.within_s;
+    const bool none_left =
+        goal_.throws && thrown_ >= *goal_.throws && now_s - last_throw_s_ >= kLastThrow_s;
     if (is_over || none_left) return end(scene::GoalEnd::Lost, passed_s(simulation));
     return {};
 }
@@ -99,6 +108,8 @@ scene::GoalState Goal::state(const scene::Simulation& simulation) const {
         .wanted = wanted_,
         .end = end_,
         .passed_s = end_ == scene::GoalEnd::Open ? passed_s(simulation) : ended_s_};
+    if (end_ == scene::GoalEnd::Open && reached_s_)
+        state.holds_for_s = std::max(0.0, goal_.holds_s - (simulation.time_s() - *reached_s_));
     if (goal_.within_s) state.left_s = std::max(0.0, *goal_.within_s - state.passed_s);
     if (goal_.throws) state.throws_left = std::max(0, *goal_.throws - thrown_);
     return state;

@@ -31,8 +31,10 @@ public:
     /// Hands must leave it alone.
     bool guards(ecs::Entity entity) const;
 
-    /// After a step. A message for the person when it was won or lost in it.
-    std::optional<std::string> judge(const scene::Simulation& simulation);
+    /// After a step. What is in the hand does not count. A message for the person when it was won or lost in it.
+    std::optional<std::string> judge(const scene::Simulation& simulation, ecs::Entity in_hand);
+    /// On the clock; none: it is not won.
+    std::optional<double> won_in_s() const;
     scene::GoalState state(const scene::Simulation& simulation) const;
     void serialize(Archive& archive) {
         archive(things_, wanted_, counted_, thrown_, start_s_, last_throw_s_);

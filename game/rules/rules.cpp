@@ -234,7 +234,7 @@ void PlaygroundGame::judge(scene::Simulation& simulation) {
     for (std::string& message : simulation.messages) say(std::move(message));
     simulation.messages.clear();
     if (goal_) {
-        if (const auto ended = goal_->judge(simulation)) say(*ended);
+        if (const auto ended = goal_->judge(simulation, grab_.entity())) say(*ended);
     }
     if (!player_ || mode_ != MoveMode::Walk) return;
     const scene::SceneDescription& scene = simulation.description();

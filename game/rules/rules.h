@@ -50,6 +50,9 @@ public:
     const Player* player() const { return player_ ? &*player_ : nullptr; }
     const Things& things() const { return things_; }
     const Grab& grab() const { return grab_; }
+    std::optional<double> won_in_s() const override {
+        return goal_ ? goal_->won_in_s() : std::nullopt;
+    }
     const Goal* goal() const { return goal_ ? &*goal_ : nullptr; }
 
 private:

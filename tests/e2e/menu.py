@@ -94,13 +94,13 @@ def start_page_and_other_scenes(folder, environment):
     try:
         last = folder / "data/plumbline/last_scene"
         wait_for(last, "falling_cube.toml", "the last scene")
-        # The cards stand below the buttons, four in a row: the garden, cans, cloth, fairground; falling_cube, joints.
-        press(game, "Down", "Down", "Right", "Return")
+        # The cards stand below the buttons, four in a row: the garden, games, cans, cloth; fairground, falling_cube, joints.
+        press(game, "Down", "Down", "Right", "Right", "Return")
         wait_for(last, "joints.toml", "opened from the menu")
         game.until(lambda: game.window_named("^Joints - "), "its title")
         time.sleep(1)
         press(game, *OTHER_SCENES)
-        press(game, "Down", "Down", "Return")
+        press(game, "Down", "Down", "Right", "Return")
         wait_for(last, "falling_cube.toml", "opened from the menu of a running scene")
         game.until(lambda: game.window_named("^Falling cube - "), "its title")
         time.sleep(1)

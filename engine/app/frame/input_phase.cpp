@@ -45,7 +45,8 @@ ui::MenuWorld menu_world(const Play& play, const WorldPhase& world) {
             .switches = session.simulation->switches,
             .fog = scene.fog.value_or(scene::FogDescription{.on = false}),
             .hour = hour_of(*session.simulation),
-            .saves = world.saves.slots()};
+            .saves = world.saves.slots(),
+            .results = &world.results};
 }
 
 InputPhase::InputPhase(FrameState& state,

@@ -66,6 +66,11 @@ inline std::string scene_name(const Session& session) {
     return session.description().file.stem().string();
 }
 
+/// Of what is kept for the person; empty where there is no place for anything.
+inline std::filesystem::path in_user_data(const PlayDef& def, const char* name) {
+    return def.user_data_folder.empty() ? std::filesystem::path{} : def.user_data_folder / name;
+}
+
 /// A model by itself is turned, nobody plays.
 inline bool looks_at_model(const Session& session) {
     return session.description().shows_model && session.game->frees_pointer();

@@ -50,10 +50,6 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     return files;
 }
 
-fs::path in_user_data(const PlayDef& def, const char* name) {
-    return def.user_data_folder.empty() ? fs::path() : def.user_data_folder / name;
-}
-
 }  // namespace
 
 ViewPhase::ViewPhase(FrameState& state,
@@ -164,6 +160,7 @@ void ViewPhase::draw_overlay(const render::RenderFrame& frame,
                   .ledger = ledger,
                   .accuracy = others.world.accuracy,
                   .judge = session_.judge.get(),
+                  .best_s = hud.goal ? others.world.results.of(scene_name(session_)) : std::nullopt,
                   .replaying = others.world.stepper.replaying(),
                   .hint = gives_hints ? hints.now(hint_scene) : std::nullopt,
                   .messages = state_.messages.lines(now_s, config.reduce_motion),

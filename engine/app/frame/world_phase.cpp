@@ -41,6 +41,7 @@ WorldPhase::WorldPhase(FrameState& state, Stepper stepper_made)
     : stepper(std::move(stepper_made)),
       accuracy(state.play.session),
       saves(state.play.session, state.play.def.user_data_folder),
+      results(in_user_data(state.play.def, "best_results")),
       state_(state),
       session_(state.play.session),
       scene_watch_(state.play.session.files()) {
@@ -162,6 +163,8 @@ void WorldPhase::run_steps(const FrameTime& time, input::ActionLatch& latch) {
     // Requests and replays change the length of a step.
     state_.clock.set_step(session_.simulation->step_s());
     accuracy.take_answers();
+    const std::optional<double> won_in_s = session_.game->won_in_s();
+    if (won_in_s && !stepper.replaying()) results.note(scene_name(session_), *won_in_s);
     watch_slow_motion(latch);
 }
 

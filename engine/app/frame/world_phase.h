@@ -6,6 +6,7 @@
 #include "engine/app/frame/saved_games.h"
 #include "engine/app/request.h"
 #include "engine/app/scene_watch.h"
+#include "engine/app/settings/best_results.h"
 #include "engine/app/slow_motion.h"
 #include "engine/scene/paths/scene_list.h"
 
@@ -38,6 +39,7 @@ public:
     Stepper stepper;
     AccuracyControl accuracy;
     SavedGames saves;
+    BestResults results;
     std::vector<scene::ListedScene> scenes;  ///< for the menu
     std::string scene_fault;  ///< why the latest save of the scene was refused; empty: it was not
 

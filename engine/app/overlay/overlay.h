@@ -45,6 +45,7 @@ struct OverlayInput {
     const std::vector<effects::LedgerLine>& ledger;
     const AccuracyControl& accuracy;
     const study::HardCaseJudge* judge{nullptr};  ///< of a hard case; null: no such scene
+    std::optional<double> best_s{};              ///< in which the scene's goal was reached before
     bool replaying{false};
     std::optional<FirstStep> hint{};  ///< what to do next, for who has not yet
     bool reduce_motion{false};

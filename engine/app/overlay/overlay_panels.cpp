@@ -76,9 +76,13 @@ std::string clock_text(double seconds) {
 std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalState& goal) {
     std::vector<HudLine> lines{{.text = goal.text, .tone = Tone::Head}};
     std::string now = fmt::format("{} of {}", std::min(goal.counted, goal.wanted), goal.wanted);
-    if (goal.left_s) now += fmt::format("   {} left", clock_text(*goal.left_s));
+    if (goal.holds_for_s && *goal.holds_for_s > 0.5)
+        now += fmt::format("   hold for {}", clock_text(*goal.holds_for_s));
+    else if (goal.left_s)
+        now += fmt::format("   {} left", clock_text(*goal.left_s));
     if (goal.throws_left) now += fmt::format("   {} throws left", *goal.throws_left);
     lines.push_back({.text = now});
+    if (input.best_s) lines.push_back({.text = fmt::format("Best: {:.1f} s", *input.best_s)});
     if (goal.end == scene::GoalEnd::Open) return lines;
     const bool won = goal.end == scene::GoalEnd::Won;
     lines.push_back(

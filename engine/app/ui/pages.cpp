@@ -18,6 +18,8 @@ namespace {
 constexpr std::string_view kHardFolder = "hard";
 constexpr std::string_view kHardImage = "hard/H15";
 constexpr std::string_view kBenchFolder = "bench";
+constexpr std::string_view kGamesFolder = "games";
+constexpr std::string_view kGamesImage = "cans";
 
 // What a newcomer needs, in the order of need; with walking they are ten.
 constexpr std::array kEssentialInPlay{Action::Look,
@@ -102,11 +104,18 @@ std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own
 void MenuPages::add_scenes(Page& page) {
     page.add_heading("Scenes");
     std::vector<Cell> shipped = cards({}, false);
+    if (std::ranges::any_of(*world_.scenes, &scene::ListedScene::is_game)) {
+        Cell all = to_page("Games", Icon::None, &MenuPages::games);
+        all.note = "Small games against the clock: aim, build, ferry. Best times are kept";
+        all.thumbnail = kGamesImage;
+        shipped.insert(std::next(shipped.begin(), std::min<std::ptrdiff_t>(1, std::ssize(shipped))),
+                       std::move(all));
+    }
     std::map<std::string, std::vector<const scene::ListedScene*>> folders;
     for (const scene::ListedScene& scene : *world_.scenes)
         folders[folder_of(scene)].push_back(&scene);
     for (const auto& [name, scenes] : folders) {
-        if (name.empty() || name.starts_with(kBenchFolder)) continue;
+        if (name.empty() || name.starts_with(kBenchFolder) || name == kGamesFolder) continue;
         const bool hard = name == kHardFolder;
         shipped.push_back(
             {.text = hard ? "Hard cases" : folder_words(name),
@@ -124,6 +133,27 @@ void MenuPages::add_scenes(Page& page) {
         page.add_heading("Your scenes");
         page.add_cards(std::move(own));
     }
+}
+
+Page MenuPages::games() {
+    Page page{.title = "Games"};
+    page.add_cells({back_cell()});
+    std::vector<Cell> cells;
+    for (const scene::ListedScene& scene : *world_.scenes) {
+        if (!scene.is_game) continue;
+        const auto best_s =
+            world_.results != nullptr ? world_.results->of(last_part(scene.name)) : std::nullopt;
+        cells.push_back({.text = title_of(scene),
+                         .note = fmt::format("{}\n{}",
+                                             best_s ? fmt::format("Best: {:.1f} s", *best_s)
+                                                    : std::string("Not won yet"),
+                                             scene.description),
+                         .thumbnail = scene.name,
+                         .activate = [this, file = scene.file] { ask(OpenScene{file}); },
+                         .marked = best_s.has_value()});
+    }
+    page.add_cards(std::move(cells));
+    return page;
 }
 
 Page MenuPages::folder(const std::string& name) {

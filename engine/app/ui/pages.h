@@ -3,6 +3,7 @@
 
 #include "engine/app/controls/live_bindings.h"
 #include "engine/app/request.h"
+#include "engine/app/settings/best_results.h"
 #include "engine/app/ui/menu.h"
 #include "engine/input/bindings_edit.h"
 #include "engine/scene/paths/scene_list.h"
@@ -41,6 +42,7 @@ struct MenuWorld {
     scene::FogDescription fog{.on = false};  ///< as the scene has it, or a plain one
     std::optional<double> hour{};            ///< of the scene's day; none: its sun stands still
     std::vector<SaveSlot> saves{};
+    const BestResults* results{nullptr};  ///< of small games; null: none are kept
 };
 
 class MenuPages {
@@ -81,6 +83,7 @@ private:
 
     // pages.cpp
     Page all_scenes();
+    Page games();
     Page saved_games();
     Page folder(const std::string& name);
     std::vector<Cell> cards(const std::string& folder, bool are_users_own);

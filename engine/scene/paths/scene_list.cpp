@@ -77,6 +77,9 @@ std::string_view start_of(std::string_view text) {
     return is_scene ? text.substr(0, end) : text;
 }
 
+constexpr std::string_view kBelowALine = "\n[goal]";
+constexpr std::string_view kGoalTable = kBelowALine.substr(1);
+
 /// Fills in what the file says of itself. False when it is there to be included.
 bool read_heading(ListedScene& scene) {
     if (scene.file.extension() == ".json") {
@@ -86,6 +89,7 @@ bool read_heading(ListedScene& scene) {
     }
     const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
     if (!text) return true;
+    scene.is_game = text->starts_with(kGoalTable) || text->find(kBelowALine) != std::string::npos;
     const auto name = std::make_shared<const std::string>(scene.file.string());
     const std::string_view start = start_of(*text);
     bool is_scene = start.size() < text->size();

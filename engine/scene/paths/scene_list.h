@@ -24,6 +24,7 @@ struct ListedScene {
     std::string title;
     std::string description;
     std::filesystem::path file;
+    bool is_game{false};       ///< it has a [goal]
     bool is_users_own{false};  ///< below folders.user_scenes; stands for a shipped one of its name
 };
 

@@ -82,6 +82,7 @@ void read_whole_goal(TableReader& table,
             int{goal.outside.has_value()} + int{goal.triggers} !=
         1)
         table.error("below_m", "expected one of below_m, inside, outside and triggers");
+    table.read("holds_s", goal.holds_s, {0.1, 600, "seconds from 0.1 to 600"});
     table.read("within_s", goal.within_s, {1, 36'000, "seconds from 1 to 36000"});
     table.read("throws", goal.throws, 1, 10'000);
     table.read("with", goal.with);

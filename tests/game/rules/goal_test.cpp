@@ -143,6 +143,53 @@ TEST(Goal, CountsWhatLiesInsideOnceItStays) {
     EXPECT_FALSE(state(stay).left_s || state(stay).throws_left);
 }
 
+/// A box on a shelf in front of the person, which counts there.
+scene::SceneDescription box_in_reach(double holds_s) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(block("shelf", {0.6_r, 1.4_r, 0.6_r}, {0, 0.7_r, -1.6_r}));
+    scene.entities.push_back(
+        block("box", {0.3_r, 0.3_r, 0.3_r}, {0, 1.55_r, -1.6_r}, physics::BodyKind::Dynamic, 5));
+    scene.goal = scene::GoalDescription{.text = "Up there",
+                                        .things = {"box"},
+                                        .inside = scene::Region{{-3, 1, -6}, {3, 4, 4}},
+                                        .holds_s = holds_s,
+                                        .within_s = 4};
+    return scene;
+}
+
+TEST(Goal, MustHoldForItsTimeAlsoPastTheEnd) {
+    Playground play(box_in_reach(6));
+    play.run(2);
+    EXPECT_EQ(state(play).counted, 1);
+    ASSERT_TRUE(state(play).holds_for_s);
+    EXPECT_NEAR(*state(play).holds_for_s, 3.5, 0.1);  // the person took half a second to land
+    play.run(3.5);                                    // the time is up
+    EXPECT_EQ(state(play).end, GoalEnd::Open);
+    EXPECT_FALSE(play.game->won_in_s());
+    play.run(1);
+    EXPECT_EQ(state(play).end, GoalEnd::Won);
+    ASSERT_TRUE(play.game->won_in_s());
+    EXPECT_NEAR(*play.game->won_in_s(), 0, 0.05) << "it counted from the start";
+}
+
+TEST(Goal, WhatIsInTheHandOrFrozenThereDoesNotCount) {
+    Playground held(box_in_reach(3));
+    held.step(held.turn_to({0, 1.55_r, -1.6_r}));
+    held.step(press({Action::Grab}));
+    held.run(2, hold({Action::Grab}));
+    ASSERT_TRUE(held.game->holds());
+    EXPECT_EQ(state(held).counted, 0);
+    held.run(3, hold({Action::Grab}));
+    EXPECT_EQ(state(held).end, GoalEnd::Lost);
+
+    Playground frozen(box_in_reach(3));
+    const auto& body =
+        frozen.simulation->registry.get<scene::BodyRef>(frozen.simulation->find("box"));
+    frozen.simulation->physics.set_frozen(body.body, true);
+    frozen.run(5);
+    EXPECT_EQ(state(frozen).counted, 0);
+}
+
 TEST(Goal, GoesTheSameWayEachTime) {
     std::vector<std::uint64_t> hashes;
     std::vector<double> times;

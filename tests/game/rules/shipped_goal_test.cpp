@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -169,6 +170,85 @@ TEST_F(Gallery, CanBeWon) {
     EXPECT_LT(state().passed_s, 60);
     for (int i = 1; i <= 5; ++i)
         EXPECT_LT(place("target." + std::to_string(i)).y, 1.05_r) << "a target stays down";
+}
+
+class Tower : public ShippedGoal {
+protected:
+    void SetUp() override { open("games/tower.toml"); }
+    void put(const std::string& name, const Vec3& place_m) {
+        const auto& body = simulation_->registry.get<scene::BodyRef>(simulation_->find(name));
+        simulation_->physics.set_pose(body.body, {.position = place_m});
+        simulation_->physics.set_velocity(body.body, {0, 0, 0}, {0, 0, 0});
+    }
+};
+
+TEST_F(Tower, NothingCountsUntilSomethingIsBuilt) {
+    run(10);
+    EXPECT_EQ(state().counted, 0);
+    EXPECT_EQ(state().left_s, 180.0);
+}
+
+TEST_F(Tower, FiveBlocksStandInTheWindAndWin) {
+    const std::array<const char*, 5> blocks{"block.left.0.0.0",
+                                            "block.left.0.0.1",
+                                            "block.left.0.0.2",
+                                            "block.right.0.0.0",
+                                            "block.right.0.0.1"};
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        put(blocks[i], {0, 0.04_r + 0.25_r + 0.5_r * static_cast<Real>(i), 0});
+    run(4);
+    EXPECT_EQ(state().counted, 1);
+    EXPECT_EQ(state().end, GoalEnd::Open) << "it must stand for 5 s";
+    run(2);
+    EXPECT_EQ(state().end, GoalEnd::Won);
+}
+
+TEST_F(Tower, FourAreNotEnough) {
+    for (int i = 0; i < 3; ++i)
+        put("block.left.0.0." + std::to_string(i), {0, 0.29_r + 0.5_r * static_cast<Real>(i), 0});
+    put("block.right.0.0.0", {0, 1.79_r, 0});
+    run(8);
+    EXPECT_EQ(state().counted, 0);
+}
+
+class Ferry : public ShippedGoal {
+protected:
+    void SetUp() override { open("games/ferry.toml"); }
+    /// Off from one bank, and drawn in from the other, to which somebody walks in a quarter of a minute.
+    void bring_over() {
+        push_raft({0, 0, -250}, 3);
+        run(15);
+        push_raft({0, 0, -120}, 6);
+        run(3);
+    }
+    void push_raft(const Vec3& force_N, double seconds) {
+        const auto& body = simulation_->registry.get<scene::BodyRef>(simulation_->find("raft"));
+        for (int i = 0; i < static_cast<int>(seconds * 60); ++i) {
+            simulation_->physics.apply_force(body.body, force_N);
+            run(1.0 / 60);
+        }
+    }
+};
+
+TEST_F(Ferry, TheChestsStayDryWhileNobodyPushes) {
+    run(60);
+    EXPECT_EQ(state().counted, 0);
+    EXPECT_GT(place("raft").z, 2) << "the wind blows from the far bank";
+    for (int i = 0; i < 3; ++i) EXPECT_GT(place("chest." + std::to_string(i) + ".0.0").y, 0.2);
+}
+
+TEST_F(Ferry, ARaftThatIsPushedWins) {
+    bring_over();
+    EXPECT_EQ(state().counted, 3) << place("raft").z << ' ' << place("chest.0.0.0").y;
+    EXPECT_EQ(state().end, GoalEnd::Won);
+}
+
+TEST_F(Ferry, AChestInTheWaterIsLost) {
+    const auto& body = simulation_->registry.get<scene::BodyRef>(simulation_->find("chest.0.0.0"));
+    simulation_->physics.set_pose(body.body, {.position = {-3, 0, -3}});
+    bring_over();
+    EXPECT_EQ(state().counted, 2);
+    EXPECT_EQ(state().end, GoalEnd::Open);
 }
 
 }  // namespace

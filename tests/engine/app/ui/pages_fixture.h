@@ -58,7 +58,8 @@ protected:
                 .accuracy = accuracy_,
                 .switches = switches_,
                 .fog = {.density_per_m = 0.04F, .on = false},
-                .hour = hour_};
+                .hour = hour_,
+                .results = results_};
     }
 
     // What was asked for, done as the program does it.
@@ -178,6 +179,7 @@ protected:
     std::optional<double> hour_{12.1};  ///< none: the scene has no [time]
     std::vector<scene::ListedScene> scenes_;
     bool adopted_{false};
+    const BestResults* results_{nullptr};
     bool looks_at_model_{false};
     std::unique_ptr<MenuControl> control_;
     fs::path opened_;

@@ -3,6 +3,7 @@
 #include "tests/engine/app/ui/pages_fixture.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace plumbline::app::ui {
@@ -173,6 +174,27 @@ TEST_F(PagesTest, TheUsualProfileGivesWayToTheOnesThatWereAskedFor) {
     bindings_->use_usual_profile("viewer");
     EXPECT_FALSE(turns_by_mouse());
     EXPECT_TRUE(bindings_->faults().list().empty());
+}
+
+TEST_F(PagesTest, GamesHaveAPageWithTheBestTimes) {
+    BestResults results{{}};
+    results.note("cans", 31.25);
+    results_ = &results;
+    control_->show(world());
+    control_->show_start();
+    choose("Games");
+    lay_out();
+    std::map<std::string, std::string> notes;
+    for (const Line& line : control_->menu().page().lines) {
+        if (line.kind != LineKind::Cards) continue;
+        for (const Cell& cell : line.cells) notes[cell.text] = cell.note;
+    }
+    EXPECT_GE(notes.size(), 4U);
+    EXPECT_TRUE(notes["Tin cans"].starts_with("Best: 31.2 s")) << notes["Tin cans"];
+    EXPECT_TRUE(notes["The tower"].starts_with("Not won yet")) << notes["The tower"];
+    EXPECT_FALSE(notes.contains("The garden"));
+    choose("The ferry");
+    EXPECT_EQ(opened_.filename(), "ferry.toml");
 }
 
 }  // namespace
