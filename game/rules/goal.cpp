@@ -16,19 +16,26 @@ bool is_within(const scene::Region& region, const Vec3& point_m) {
            glm::all(glm::lessThanEqual(point_m, region.max_m));
 }
 
-}  // namespace
-
-Goal::Goal(const scene::Simulation& simulation) : goal_(*simulation.description().goal) {
+std::vector<ecs::Entity> things_of(const scene::Simulation& simulation,
+                                   const scene::GoalDescription& goal) {
+    std::vector<ecs::Entity> things;
     for (auto [entity, name, body] :
          simulation.registry.view<const scene::Name, const scene::BodyRef>()) {
         const std::string& text = name.text;
         const auto meant = [&](const std::string& wanted) {
             return scene::matches_pattern(text, wanted);
         };
-        if (std::ranges::any_of(goal_.things, meant)) things_.push_back(entity);
+        if (std::ranges::any_of(goal.things, meant)) things.push_back(entity);
     }
-    wanted_ = goal_.count > 0 ? goal_.count : static_cast<int>(things_.size());
+    return things;
 }
+
+}  // namespace
+
+Goal::Goal(const scene::Simulation& simulation)
+    : goal_(*simulation.description().goal),
+      things_(things_of(simulation, goal_)),
+      wanted_(goal_.count > 0 ? goal_.count : static_cast<int>(things_.size())) {}
 
 double Goal::passed_s(const scene::Simulation& simulation) const {
     return start_s_ ? simulation.time_s() - *start_s_ : 0.0;
