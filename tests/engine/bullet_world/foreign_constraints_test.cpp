@@ -55,53 +55,56 @@ auto& pulled_together(auto& rig) {
     return b;
 }
 
+/// A body that hangs beside a fixed one.
 template <bool kReferenceIsA>
-auto& limited_hinge(auto& rig) {
+btHingeConstraint& hinge_beside(auto& rig) {
     auto& a = rig.box({0, 0, 0}, 0);
     auto& b = rig.box({1, 1, 0}, 2);
-    auto& hinge = rig.template join<btHingeConstraint>(
+    return rig.template join<btHingeConstraint>(
         false, a, b, btVector3(0, 1, 0), btVector3(-1, 0, 0), kZ, kZ, kReferenceIsA);
+}
+
+template <bool kReferenceIsA>
+auto& limited_hinge(auto& rig) {
+    auto& hinge = hinge_beside<kReferenceIsA>(rig);
     hinge.setLimit(btScalar(-0.3), btScalar(0.8));
-    return b;
+    return hinge.getRigidBodyB();
 }
 
 template <bool kReferenceIsA>
 auto& driven_hinge(auto& rig) {
     no_gravity(rig);
-    auto& a = rig.box({0, 0, 0}, 0);
-    auto& b = rig.box({1, 1, 0}, 2);
-    auto& hinge = rig.template join<btHingeConstraint>(
-        false, a, b, btVector3(0, 1, 0), btVector3(-1, 0, 0), kZ, kZ, kReferenceIsA);
+    auto& hinge = hinge_beside<kReferenceIsA>(rig);
     hinge.enableAngularMotor(true, btScalar(0.7), 1000);
-    return b;
+    return hinge.getRigidBodyB();
+}
+
+/// A body that slides up and down beside a fixed one.
+template <bool kReferenceIsA>
+btSliderConstraint& slider_beside(auto& rig) {
+    auto& a = rig.box({0, 0, 0}, 0);
+    auto& b = rig.box({3, 0, 0}, 2);
+    const btTransform along_y = turned(kZ, SIMD_HALF_PI);
+    auto& slider = rig.template join<btSliderConstraint>(
+        false, a, b, btTransform(along_y.getBasis(), {3, 0, 0}), along_y, kReferenceIsA);
+    slider.setLowerLinLimit(btScalar(-0.5));
+    slider.setUpperLinLimit(btScalar(0.8));
+    return slider;
 }
 
 template <bool kReferenceIsA>
 auto& driven_slider(auto& rig) {
     no_gravity(rig);
-    auto& a = rig.box({0, 0, 0}, 0);
-    auto& b = rig.box({3, 0, 0}, 2);
-    const btTransform along_y = turned(kZ, SIMD_HALF_PI);
-    auto& slider = rig.template join<btSliderConstraint>(
-        false, a, b, btTransform(along_y.getBasis(), {3, 0, 0}), along_y, kReferenceIsA);
-    slider.setLowerLinLimit(btScalar(-0.5));
-    slider.setUpperLinLimit(btScalar(0.8));
+    auto& slider = slider_beside<kReferenceIsA>(rig);
     slider.setPoweredLinMotor(true);
     slider.setMaxLinMotorForce(500);
     slider.setTargetLinMotorVelocity(btScalar(0.4));
-    return b;
+    return static_cast<btTypedConstraint&>(slider).getRigidBodyB();
 }
 
 template <bool kReferenceIsA>
 auto& falling_slider(auto& rig) {
-    auto& a = rig.box({0, 0, 0}, 0);
-    auto& b = rig.box({3, 0, 0}, 2);
-    const btTransform along_y = turned(kZ, SIMD_HALF_PI);
-    auto& slider = rig.template join<btSliderConstraint>(
-        false, a, b, btTransform(along_y.getBasis(), {3, 0, 0}), along_y, kReferenceIsA);
-    slider.setLowerLinLimit(btScalar(-0.5));
-    slider.setUpperLinLimit(btScalar(0.8));
-    return b;
+    return static_cast<btTypedConstraint&>(slider_beside<kReferenceIsA>(rig)).getRigidBodyB();
 }
 
 auto& cone(auto& rig) {
