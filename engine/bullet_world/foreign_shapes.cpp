@@ -123,7 +123,6 @@ Result<ForeignShape> compound_of(const btCompoundShape& compound, bool dynamic) 
                 .def = std::move(child->def), .object_from_shape = place, .is_mesh = true};
         def.children.push_back({std::move(child->def), place});
     }
-    if (def.children.empty()) return Error{"a compound shape without children has no surface"};
     return ForeignShape{.def = std::move(def)};
 }
 
@@ -184,6 +183,12 @@ private:
 
 }  // namespace
 
+bool has_surface(const btCollisionShape& shape) {
+    if (shape.isCompound())
+        return static_cast<const btCompoundShape&>(shape).getNumChildShapes() > 0;
+    return shape.getShapeType() != EMPTY_SHAPE_PROXYTYPE;
+}
+
 std::uint64_t shape_hash(const ShapeDef& def) {
     ShapeHash hash;
     hash.add(def);
@@ -192,6 +197,9 @@ std::uint64_t shape_hash(const ShapeDef& def) {
 
 Result<ForeignShape> foreign_shape(const btCollisionShape& shape, bool dynamic) {
     if (auto primitive = primitive_of(shape)) return ForeignShape{.def = std::move(*primitive)};
+    if (!has_surface(shape))
+        return Error{
+            fmt::format("a shape of Bullet's type \"{}\" has no surface", shape.getName())};
     if (shape.isCompound()) return compound_of(static_cast<const btCompoundShape&>(shape), dynamic);
     if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
         if (dynamic) return Error{"a plane is for bodies that are not dynamic"};
@@ -199,9 +207,8 @@ Result<ForeignShape> foreign_shape(const btCollisionShape& shape, bool dynamic) 
     }
     if (shape.isConvex())
         return ForeignShape{.def = hull_of(static_cast<const btConvexShape&>(shape))};
-    if (shape.isConcave() && shape.getShapeType() != EMPTY_SHAPE_PROXYTYPE)
-        return mesh_of(static_cast<const btConcaveShape&>(shape), dynamic);
-    return Error{fmt::format("a shape of Bullet's type \"{}\" has no surface", shape.getName())};
+    if (shape.isConcave()) return mesh_of(static_cast<const btConcaveShape&>(shape), dynamic);
+    return Error{fmt::format("shapes of Bullet's type \"{}\" are not known", shape.getName())};
 }
 
 }  // namespace plumbline::bullet_world

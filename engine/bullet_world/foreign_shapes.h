@@ -22,6 +22,9 @@ struct ForeignShape {
 /// becomes a hull too. Refused: shapes without a surface.
 Result<ForeignShape> foreign_shape(const btCollisionShape& shape, bool dynamic);
 
+/// False: it touches nothing; bodies of such shapes are ends of constraints.
+bool has_surface(const btCollisionShape& shape);
+
 /// Of all its numbers: equal shapes have equal ones.
 std::uint64_t shape_hash(const physics::ShapeDef& def);
 

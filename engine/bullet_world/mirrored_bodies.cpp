@@ -12,6 +12,9 @@ namespace {
 /// from it for as long as anybody looks.
 constexpr Real kLockedInertia = 1e15_r;
 
+/// What has no surface moves as a ball of this radius that touches nothing.
+constexpr btScalar kPoint_m = btScalar(0.01);
+
 btCollisionObject& object_at(btCollisionWorld& world, std::size_t index) {
     return *world.getCollisionObjectArray()[static_cast<int>(index)];
 }
@@ -57,6 +60,11 @@ void set_activation(btRigidBody& rigid, bool awake) {
     }
 }
 
+/// Of ours: else Bullet finds what it touches.
+bool has_contacts(const Mirror& mirror) {
+    return mirror.body != physics::BodyId{} && mirror.traits.responds;
+}
+
 std::unique_ptr<Mirror> mirror_for(btCollisionObject& object) {
     auto mirror = std::make_unique<Mirror>();
     mirror->object = &object;
@@ -80,6 +88,7 @@ void MirroredBodies::list_new() {
 
 void MirroredBodies::read(physics::PhysicsWorld& world) {
     list_new();
+    left_ = 0;
     for (const auto& mirror : mirrors_) {
         const BodyTraits traits = traits_of(*mirror->object);
         if (!mirror->known || !(traits == mirror->traits)) {
@@ -88,8 +97,11 @@ void MirroredBodies::read(physics::PhysicsWorld& world) {
         } else if (mirror->body != physics::BodyId{}) {
             read_motion(world, *mirror);
         }
-        if (mirror->body != physics::BodyId{} && traits.kind == physics::BodyKind::Dynamic)
-            read_forces(world, *mirror);
+        if (!has_contacts(*mirror)) ++left_;
+        if (mirror->body == physics::BodyId{} || traits.kind != physics::BodyKind::Dynamic)
+            continue;
+        read_activation(world, *mirror);
+        read_forces(world, *mirror);
     }
 }
 
@@ -100,15 +112,18 @@ void MirroredBodies::make(physics::PhysicsWorld& world, Mirror& mirror, const Bo
     const bool dynamic = traits.kind == physics::BodyKind::Dynamic;
     if (traits.inverse_mass < 0)
         notes_.add("a body with a mass below zero stands as if it had none");
-    if (!traits.responds) ++left_;
     if (traits.shape == nullptr || (!traits.responds && !dynamic)) return;
 
+    const bool surface = has_surface(*traits.shape);
+    if (!surface && !dynamic) return;
     physics::BodyDef def{.kind = traits.kind};
-    def.shape = shape_of(world, *traits.shape, dynamic, mirror.object_from_body);
+    const btSphereShape point(kPoint_m);
+    const btCollisionShape& shape = surface ? *traits.shape : point;
+    def.shape = shape_of(world, shape, dynamic, mirror.object_from_body);
     if (def.shape == physics::ShapeId{}) return;
     def.world_from_body = compose(pose_of(mirror.pose), mirror.object_from_body);
     def.filter = {.group = static_cast<std::uint32_t>(traits.group),
-                  .collides_with = static_cast<std::uint32_t>(traits.mask)};
+                  .collides_with = surface ? static_cast<std::uint32_t>(traits.mask) : 0};
     def.can_sleep = traits.can_sleep;
     def.user = mirror.mark();
     if (dynamic) {
@@ -130,7 +145,6 @@ void MirroredBodies::make(physics::PhysicsWorld& world, Mirror& mirror, const Bo
 void MirroredBodies::destroy(physics::PhysicsWorld& world, Mirror& mirror) {
     if (!mirror.known) return;
     mirror.known = false;
-    if (!mirror.traits.responds) --left_;
     if (mirror.body != physics::BodyId{}) world.destroy_body(mirror.body);
     mirror.body = {};
 }
@@ -176,7 +190,10 @@ void MirroredBodies::read_motion(physics::PhysicsWorld& world, Mirror& mirror) {
     } else if (!mirror.awake && rigid.isActive()) {
         world.wake(mirror.body);
     }
-    const bool simulated = rigid.getActivationState() != DISABLE_SIMULATION;
+}
+
+void MirroredBodies::read_activation(physics::PhysicsWorld& world, Mirror& mirror) {
+    const bool simulated = mirror.rigid->getActivationState() != DISABLE_SIMULATION;
     if (simulated != mirror.simulated) world.set_frozen(mirror.body, !simulated);
     mirror.simulated = simulated;
 }
@@ -239,7 +256,7 @@ Mirror* MirroredBodies::find(const btCollisionObject& object) const {
 bool MirroredBodies::are_ours(const btCollisionObject& a, const btCollisionObject& b) const {
     const auto is_ours = [this](const btCollisionObject& object) {
         const Mirror* mirror = find(object);
-        return mirror != nullptr && mirror->body != physics::BodyId{} && mirror->traits.responds;
+        return mirror != nullptr && has_contacts(*mirror);
     };
     return is_ours(a) && is_ours(b);
 }

@@ -40,6 +40,7 @@ private:
                               bool dynamic,
                               Pose& object_from_shape);
     void read_motion(physics::PhysicsWorld& world, Mirror& mirror);
+    void read_activation(physics::PhysicsWorld& world, Mirror& mirror);
     void read_forces(physics::PhysicsWorld& world, const Mirror& mirror);
     void write_motion(const physics::PhysicsWorld& world, Mirror& mirror);
 

@@ -121,5 +121,43 @@ TEST(MirroredBodies, BadMassesAndNumbersAreSurvived) {
     EXPECT_TRUE(std::isfinite(place(lost).y()));
 }
 
+TEST(MirroredBodies, WithoutSimulationTheyStandStillAndCarry) {
+    OurRig rig;
+    btRigidBody& shelf = rig.box({0, 5, 0}, 1);
+    shelf.forceActivationState(DISABLE_SIMULATION);
+    btRigidBody& load = rig.box({0, 6, 0}, 1);
+    rig.run(1);
+    EXPECT_EQ(place(shelf).y(), 5);
+    EXPECT_NEAR(place(load).y(), 6, 1e-3);
+    shelf.forceActivationState(ACTIVE_TAG);
+    rig.run(1);
+    EXPECT_NEAR(place(shelf).y(), 5 - 9.81 / 2, 0.02);
+}
+
+TEST(MirroredBodies, WhatHasNoSurfaceFallsThroughEverything) {
+    OurRig rig;
+    rig.floor();
+    btRigidBody& empty = rig.box({0, 3, 0}, 1);
+    empty.setCollisionShape(&rig.shape<btEmptyShape>());
+    btRigidBody& without_parts = rig.box({3, 3, 0}, 1);
+    without_parts.setCollisionShape(&rig.shape<btCompoundShape>());
+    rig.add(rig.shape<btEmptyShape>(), {6, 3, 0}, 0);
+    rig.run(1);
+    EXPECT_TRUE(rig.world.notes().empty());
+    EXPECT_NEAR(place(empty).y(), 3 - 9.81 / 2, 0.01);
+    EXPECT_NEAR(place(without_parts).y(), 3 - 9.81 / 2, 0.01);
+}
+
+TEST(MirroredBodies, AShapeThatCannotBeTakenOverIsSaidAndLeftOut) {
+    OurRig rig;
+    rig.floor();
+    btRigidBody& huge = rig.box({0, 3, 0}, 1, btScalar(1e6));
+    btRigidBody& box = rig.box({3, btScalar(0.5), 0}, 1);
+    rig.run(1);
+    EXPECT_EQ(rig.world.notes().size(), 1U);
+    EXPECT_NEAR(place(box).y(), 0.5, 1e-3);
+    EXPECT_EQ(place(huge).y(), 3);
+}
+
 }  // namespace
 }  // namespace plumbline::bullet_world
