@@ -4,7 +4,7 @@
 #include "engine/bullet_world/mirrored_bodies.h"
 #include "engine/physics/contact.h"
 
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,7 +36,12 @@ private:
 
     btCollisionWorld& world_;
     const MirroredBodies& bodies_;
-    std::map<Pair, Copies> copies_;
+    struct PairHash {
+        std::size_t operator()(const Pair& pair) const {
+            return (std::size_t{pair.first.index} << 32U) ^ pair.second.index;
+        }
+    };
+    std::unordered_map<Pair, Copies, PairHash> copies_;
     std::uint64_t step_{0};
     std::vector<physics::ContactPoint> points_;  ///< of the latest step
     std::vector<btPersistentManifold*> filled_;  ///< in their order; null: gone since
