@@ -65,9 +65,7 @@ void ContactCopies::write(const physics::PhysicsWorld& world) {
         release(gone, 0);
     }
     if (gContactProcessedCallback == nullptr && gContactAddedCallback == nullptr) return;
-    for (std::size_t i = 0; i < filled_.size(); ++i) {
-        if (filled_[i] != nullptr) call_back(*filled_[i]);
-    }
+    for (std::size_t i = 0; i < filled_.size(); ++i) call_back(i);
 }
 
 void ContactCopies::fill(const Mirror& a, const Mirror& b, std::size_t first, std::size_t end) {
@@ -92,21 +90,22 @@ void ContactCopies::fill(const Mirror& a, const Mirror& b, std::size_t first, st
     }
 }
 
-void ContactCopies::call_back(btPersistentManifold& manifold) {
-    const auto* a = manifold.getBody0();
-    const auto* b = manifold.getBody1();
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
+/// Any call may take the manifold away.
+void ContactCopies::call_back(std::size_t place) {
+    const auto there = [&] { return place < filled_.size() && filled_[place] != nullptr; };
+    for (int i = 0; there() && i < filled_[place]->getNumContacts(); ++i) {
+        btManifoldPoint& point = filled_[place]->getContactPoint(i);
+        const auto* a = filled_[place]->getBody0();
+        const auto* b = filled_[place]->getBody1();
         if (gContactAddedCallback != nullptr && point.m_lifeTime == 0 &&
             (wants_added(*a) || wants_added(*b))) {
             const auto side_a = wrapped(*a);
             const auto side_b = wrapped(*b);
             gContactAddedCallback(point, &side_a, -1, -1, &side_b, -1, -1);
         }
-        if (gContactProcessedCallback == nullptr) continue;
+        if (gContactProcessedCallback == nullptr || !there()) continue;
         gContactProcessedCallback(
             point, const_cast<btCollisionObject*>(a), const_cast<btCollisionObject*>(b));
-        if (std::ranges::find(filled_, &manifold) == filled_.end()) return;  // taken out meanwhile
     }
 }
 
@@ -115,7 +114,6 @@ void ContactCopies::release(Copies& copies, std::size_t kept) {
     while (copies.manifolds.size() > kept) {
         btPersistentManifold* manifold = copies.manifolds.back();
         copies.manifolds.pop_back();
-        std::ranges::replace(filled_, manifold, nullptr);
         world_.getDispatcher()->releaseManifold(manifold);
     }
 }
@@ -130,11 +128,14 @@ void ContactCopies::forget(const btCollisionObject& object) {
         }
         Copies gone = std::move(entry->second);
         entry = copies_.erase(entry);
+        for (const btPersistentManifold* manifold : gone.manifolds)
+            std::ranges::replace(filled_, manifold, nullptr);
         release(gone, 0);
     }
 }
 
 void ContactCopies::clear() {
+    filled_.clear();
     while (!copies_.empty()) {
         Copies gone = std::move(copies_.begin()->second);
         copies_.erase(copies_.begin());

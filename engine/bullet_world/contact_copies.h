@@ -31,7 +31,7 @@ private:
     };
 
     void fill(const Mirror& a, const Mirror& b, std::size_t first, std::size_t end);
-    void call_back(btPersistentManifold& manifold);
+    void call_back(std::size_t place);
     void release(Copies& copies, std::size_t kept);
 
     btCollisionWorld& world_;

@@ -66,8 +66,11 @@ void LeftConstraints::list_bodies(const std::vector<btTypedConstraint*>& constra
     mirrors_.clear();
     objects_.clear();
     for (btTypedConstraint* constraint : constraints) {
-        notes_.add(fmt::format("constraints of this kind are solved by Bullet, before contacts: {}",
-                               name_of(constraint->getConstraintType())));
+        if (const auto type = constraint->getConstraintType(); said_.insert(type).second) {
+            notes_.add(
+                fmt::format("constraints of this kind are solved by Bullet, before contacts: {}",
+                            name_of(type)));
+        }
         for (btRigidBody* rigid : {&constraint->getRigidBodyA(), &constraint->getRigidBodyB()}) {
             Mirror* mirror = bodies_.find(*rigid);
             if (mirror == nullptr || mirror->traits.kind != physics::BodyKind::Dynamic ||

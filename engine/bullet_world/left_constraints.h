@@ -3,6 +3,7 @@
 
 #include "engine/bullet_world/mirrored_bodies.h"
 
+#include <set>
 #include <vector>
 
 namespace plumbline::bullet_world {
@@ -24,6 +25,7 @@ private:
 
     MirroredBodies& bodies_;
     Notes& notes_;
+    std::set<btTypedConstraintType> said_;
     std::vector<Mirror*> mirrors_;
     std::vector<btCollisionObject*> objects_;
 };

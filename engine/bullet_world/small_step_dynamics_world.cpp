@@ -12,8 +12,6 @@
 namespace plumbline {
 namespace {
 
-using bullet_world::Mirror;
-
 /// What Bullet's filters, ignore lists and material functions say.
 class BulletRules final : public physics::PairRules {
 public:

@@ -88,7 +88,13 @@ struct Calls {
     int added{0};
     int processed{0};
     btDynamicsWorld* world{nullptr};
-    btRigidBody* to_remove{nullptr};
+    btRigidBody* to_remove{nullptr};             ///< by the callback for processed points
+    btRigidBody* to_remove_when_added{nullptr};  ///< ... for added ones
+    bool detects{false};                         ///< the former asks for contacts without a step
+
+    void remove(btRigidBody*& body) const {
+        if (body != nullptr) world->removeRigidBody(std::exchange(body, nullptr));
+    }
 };
 Calls calls;
 
@@ -106,12 +112,14 @@ protected:
                                    int,
                                    int) {
             ++calls.added;
+            calls.remove(calls.to_remove_when_added);
             return false;
         };
         gContactProcessedCallback = [](btManifoldPoint&, void*, void*) {
             ++calls.processed;
-            if (calls.to_remove == nullptr) return false;
-            calls.world->removeRigidBody(std::exchange(calls.to_remove, nullptr));
+            calls.remove(calls.to_remove);
+            if (std::exchange(calls.detects, false))
+                calls.world->performDiscreteCollisionDetection();
             return false;
         };
     }
@@ -152,6 +160,24 @@ TEST_F(ContactCallbacks, MayTakeABodyOutOfTheWorld) {
     EXPECT_EQ(first.getWorldArrayIndex(), -1);
     EXPECT_EQ(rig.dispatcher.getNumManifolds(), 1);
     EXPECT_NEAR(impulse_on_Ns(rig, second), 3 * 9.81 / 60, 1e-3);
+}
+
+TEST_F(ContactCallbacks, MayTakeAwayTheManifoldThatTheyAreToldOf) {
+    OurRig rig;
+    rig.floor();
+    btRigidBody& body = rig.box({0, btScalar(0.5), 0}, 3);
+    rig.box({3, btScalar(0.5), 0}, 3);
+    body.setCollisionFlags(body.getCollisionFlags() |
+                           btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    calls.world = &rig.world;
+    calls.to_remove_when_added = &body;
+    rig.run(0.1);
+    EXPECT_EQ(body.getWorldArrayIndex(), -1);
+    EXPECT_EQ(calls.added, 1);
+    calls.detects = true;
+    rig.run(1);
+    EXPECT_FALSE(calls.detects);
+    EXPECT_EQ(rig.dispatcher.getNumManifolds(), 1);
 }
 
 }  // namespace
