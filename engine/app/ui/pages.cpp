@@ -18,7 +18,6 @@ namespace {
 constexpr std::string_view kHardFolder = "hard";
 constexpr std::string_view kHardImage = "hard/H15";
 constexpr std::string_view kBenchFolder = "bench";
-constexpr std::string_view kGamesFolder = "games";
 constexpr std::string_view kGamesImage = "cans";
 
 // What a newcomer needs, in the order of need; with walking they are ten.
@@ -115,7 +114,8 @@ void MenuPages::add_scenes(Page& page) {
     for (const scene::ListedScene& scene : *world_.scenes)
         folders[folder_of(scene)].push_back(&scene);
     for (const auto& [name, scenes] : folders) {
-        if (name.empty() || name.starts_with(kBenchFolder) || name == kGamesFolder) continue;
+        if (name.empty() || name.starts_with(kBenchFolder)) continue;
+        if (std::ranges::all_of(scenes, &scene::ListedScene::is_game)) continue;  // a page has them
         const bool hard = name == kHardFolder;
         shipped.push_back(
             {.text = hard ? "Hard cases" : folder_words(name),
