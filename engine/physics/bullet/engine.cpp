@@ -1,4 +1,3 @@
-#include "engine/core/assert.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/counting_solver.h"
 #include "engine/physics/bullet/engine_parts.h"
@@ -25,7 +24,7 @@ void* allocate_or_throw(std::size_t bytes) {
 }
 
 /// Before main(), as a program with allocators of its own sets them there.
-const bool kMemoryIsChecked = [] {
+[[maybe_unused]] const bool kMemoryIsChecked = [] {
     btAlignedAllocSetCustom(allocate_or_throw, std::free);
     return true;
 }();
@@ -128,7 +127,6 @@ void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
 
 BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     : parts_(std::make_unique<Parts>()) {
-    PL_ASSERT(kMemoryIsChecked, "Bullet's memory");
     if (def.solver != Solver::SmallStep) install_material_callbacks();
     Parts& parts = *parts_;
     parts.report = &report;
