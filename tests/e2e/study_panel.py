@@ -52,7 +52,7 @@ def begin(game, scratch):
 
 def study(game, scratch, studies):
     begin(game, scratch)
-    file = game.until(lambda: list(studies.glob("*.json")), "no study was kept", 180)[0]
+    file = game.until(lambda: list(studies.glob("*.json")), "no study was kept", 90)[0]
     game.until(lambda: not list(scratch.glob("plumbline-study-*")), "its state stays", 5)
     return read_json(file)
 
