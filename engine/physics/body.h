@@ -36,6 +36,16 @@ inline bool may_touch(const CollisionFilter& a, const CollisionFilter& b) {
     return (a.group & b.collides_with) != 0 && (b.group & a.collides_with) != 0;
 }
 
+/// How the coefficients of two bodies that touch become one: by the later of their two rules (as in glTF's
+/// KHR_physics_rigid_bodies).
+enum class CombineRule : std::uint8_t {
+    Usual,  ///< friction as sqrt(a*b), restitution as max(a, b)
+    Multiply,
+    Maximum,
+    Minimum,
+    Average,
+};
+
 /// A rigid body as it is asked for. Copied; need not outlive the call. The pose is of the body's
 /// origin, not of its centre of mass.
 struct BodyDef {
@@ -43,7 +53,8 @@ struct BodyDef {
     ShapeId shape{};
     Pose world_from_body{};
     Real mass_kg{1};                         ///< dynamic only; > 0
-    std::optional<Vec3> inertia_kgm2{};      ///< principal, about body axes; none: of the shape
+    std::optional<Vec3> inertia_kgm2{};      ///< principal; none: of the shape
+    Quat body_from_inertia{1, 0, 0, 0};      ///< unit; the axes that inertia_kgm2 is about
     std::optional<Vec3> center_of_mass_m{};  ///< body frame; none: of the shape
     Vec3 velocity_mps{0, 0, 0};              ///< of the body's origin
     Vec3 angular_velocity_radps{0, 0, 0};    ///< world axes
@@ -51,13 +62,16 @@ struct BodyDef {
     /// body's origin: a turntable that stands still. small_step only.
     Vec3 surface_velocity_mps{0, 0, 0};
     Vec3 surface_spin_radps{0, 0, 0};
-    Real friction{0.5_r};  ///< combined as sqrt(a*b)
+    Real friction{0.5_r};  ///< combined as sqrt(a*b), or as the rule says
     Real rolling_friction{0};
     Real spinning_friction{0};
-    Real restitution{0};           ///< 0…1, combined as max(a, b)
+    Real restitution{0};  ///< 0…1, combined as max(a, b), or as the rule says
+    CombineRule friction_rule{CombineRule::Usual};
+    CombineRule restitution_rule{CombineRule::Usual};
     Real linear_damping_per_s{0};  ///< speed decays as exp(-damping * t)
     Real angular_damping_per_s{0};
     Vec3 linear_factor{1, 1, 1};  ///< dynamic; world axes: 1 is free, 0 keeps its place along it
+    Real gravity_factor{1};       ///< dynamic; times the world's gravity
     bool can_sleep{true};
     ContinuousCollision ccd{ContinuousCollision::Auto};
     bool contact_events{false};  ///< list this body's contacts in StepReport::contacts

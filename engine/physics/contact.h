@@ -11,6 +11,8 @@ struct Material {
     Real restitution{0};
     Real rolling_m{0};   ///< torque against rolling per newton pressed
     Real spinning_m{0};  ///< ... against spinning about the normal
+    CombineRule friction_rule{CombineRule::Usual};
+    CombineRule restitution_rule{CombineRule::Usual};
 };
 
 /// What a caller decides about pairs of bodies, which are given by their marks (BodyDef::user). Asked in

@@ -27,6 +27,10 @@ struct BodyCopy {
     double linear_damping_per_s{0};
     double angular_damping_per_s{0};
     Vec3 linear_factor{1, 1, 1};
+    Vec3 gravity_factor{1, 1, 1};  ///< the linear factor in it
+    CombineRule friction_rule{CombineRule::Usual};
+    CombineRule restitution_rule{CombineRule::Usual};
+    bool can_sleep{true};
     bool is_belt{false};     ///< its surface moves along itself
     bool always_ccd{false};  ///< its definition asks for continuous collision in every step
     CollisionFilter filter{};

@@ -31,7 +31,7 @@ void weigh(BodyRecord& record, const BodyDef& def, const ShapeRecord& shape) {
     if (shape.mesh) return;  // stands or is carried: no mass frame to choose
     if (def.inertia_kgm2) {
         record.traits.inertia_kgm2 = Vec3d{*def.inertia_kgm2};
-        record.traits.body_from_mass.orientation = kNoRotation;
+        record.traits.body_from_mass.orientation = def.body_from_inertia;
     }
     if (def.center_of_mass_m) record.traits.body_from_mass.position = *def.center_of_mass_m;
     record.traits.mass_frame_is_body = record.traits.body_from_mass.position == Vec3{0, 0, 0} &&
@@ -104,7 +104,9 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     record.traits.material = {.friction = def.friction,
                               .restitution = def.restitution,
                               .rolling_m = def.rolling_friction,
-                              .spinning_m = def.spinning_friction};
+                              .spinning_m = def.spinning_friction,
+                              .friction_rule = def.friction_rule,
+                              .restitution_rule = def.restitution_rule};
     std::unique_ptr<btCompoundShape> wrapper = wrapper_of(record, shape);
     btCollisionShape* collision = wrapper ? wrapper.get() : shape.collision;
     record.rigid = make_rigid(record, def, collision);

@@ -22,12 +22,36 @@ ManifoldPoint* nearest_point(std::span<ManifoldPoint> points,
     return found;
 }
 
+namespace {
+
+Real by_rule(CombineRule rule, Real a, Real b, Real usual) {
+    switch (rule) {
+        case CombineRule::Multiply:
+            return a * b;
+        case CombineRule::Maximum:
+            return std::max(a, b);
+        case CombineRule::Minimum:
+            return std::min(a, b);
+        case CombineRule::Average:
+            return (a + b) / 2;
+        case CombineRule::Usual:
+            break;
+    }
+    return usual;
+}
+
+}  // namespace
+
 Material combined(const Material& a, const Material& b) {
+    const CombineRule friction = std::max(a.friction_rule, b.friction_rule);
+    const CombineRule restitution = std::max(a.restitution_rule, b.restitution_rule);
     // A sphere's own resistance to rolling holds on any ground, so one side's coefficient is enough.
-    return {.friction = std::sqrt(a.friction * b.friction),
-            .restitution = std::max(a.restitution, b.restitution),
-            .rolling_m = std::max(a.rolling_m, b.rolling_m),
-            .spinning_m = std::max(a.spinning_m, b.spinning_m)};
+    return {
+        .friction = by_rule(friction, a.friction, b.friction, std::sqrt(a.friction * b.friction)),
+        .restitution = by_rule(
+            restitution, a.restitution, b.restitution, std::max(a.restitution, b.restitution)),
+        .rolling_m = std::max(a.rolling_m, b.rolling_m),
+        .spinning_m = std::max(a.spinning_m, b.spinning_m)};
 }
 
 void remove_point(Manifold& manifold, std::size_t index) {

@@ -70,6 +70,10 @@ BodyCopy copy_of(const BodyRecord& record) {
             .linear_damping_per_s = traits.linear_damping_per_s,
             .angular_damping_per_s = traits.angular_damping_per_s,
             .linear_factor = traits.linear_factor,
+            .gravity_factor = traits.gravity_factor,
+            .friction_rule = traits.material.friction_rule,
+            .restitution_rule = traits.material.restitution_rule,
+            .can_sleep = record.can_sleep,
             .is_belt = traits.is_belt(),
             .always_ccd = record.sweep.ccd == ContinuousCollision::On,
             .filter = record.filter};

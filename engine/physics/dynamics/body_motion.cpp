@@ -88,7 +88,7 @@ void integrate_ballistic(BodyRecord& record,
         ballistic.spin_radps = Vec3d(record.before.spin_radps);
         ballistic.going = true;
     }
-    Vec3d acceleration = gravity_mps2 * Vec3d(record.traits.linear_factor);
+    Vec3d acceleration = gravity_mps2 * Vec3d(record.traits.gravity_factor);
     if (record.applied.by_caller) {
         acceleration +=
             Vec3d(record.applied.force_N - record.traits.weight_N) / record.traits.mass_kg;

@@ -47,7 +47,7 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     body.inverse_inertia = inverse_inertia_of(*record.motion);
     body.inertia_kgm2 = record.traits.inertia_kgm2;
     body.isotropic_inertia = record.traits.isotropic_inertia;
-    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.traits.linear_factor;
+    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.traits.gravity_factor;
     if (record.applied.by_caller) {
         body.acceleration_mps2 +=
             (record.applied.force_N - record.traits.weight_N) * record.motion->inverse_mass;

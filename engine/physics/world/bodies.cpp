@@ -76,6 +76,7 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     record.traits.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
     record.traits.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
     record.traits.linear_factor = def.linear_factor;
+    record.traits.gravity_factor = def.linear_factor * def.gravity_factor;
     if (def.kind != BodyKind::Dynamic) {
         record.traits.surface_velocity_mps = def.surface_velocity_mps;
         record.traits.surface_spin_radps = def.surface_spin_radps;

@@ -42,7 +42,8 @@ struct BodyTraits {
     bool isotropic_inertia{true};  ///< all three moments equal: no gyroscopic torque
     double linear_damping_per_s{0};
     double angular_damping_per_s{0};
-    Vec3 linear_factor{1, 1, 1};  ///< 0 along world axes that the body does not move along
+    Vec3 linear_factor{1, 1, 1};   ///< 0 along world axes that the body does not move along
+    Vec3 gravity_factor{1, 1, 1};  ///< along world axes: times the world's gravity
     Vec3 weight_N{0, 0, 0};
     Real linear_damping_factor{1};  ///< share of speed left after a substep
     Real angular_damping_factor{1};

@@ -71,7 +71,7 @@ void suit_to_world(const WorldDef& def, BodyRecord& record) {
     traits.angular_damping_factor = kept_after(traits.angular_damping_per_s, duration_s);
     if (record.kind == BodyKind::Dynamic) {
         traits.weight_N =
-            def.gravity_mps2 * traits.linear_factor * static_cast<Real>(traits.mass_kg);
+            def.gravity_mps2 * traits.gravity_factor * static_cast<Real>(traits.mass_kg);
     }
 }
 

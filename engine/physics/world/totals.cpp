@@ -35,7 +35,8 @@ Energy energy(const PhysicsWorld& world) {
         const Vec3d spin{unrotated(record->motion->spin_radps, at.rotation)};
         sum.kinetic_J += 0.5 * record->traits.mass_kg * glm::dot(v, v) +
                          0.5 * glm::dot(record->traits.inertia_kgm2, spin * spin);
-        sum.potential_J -= record->traits.mass_kg * glm::dot(gravity, Vec3d{at.position_m});
+        const Vec3d pull_mps2 = gravity * Vec3d{record->traits.gravity_factor};
+        sum.potential_J -= record->traits.mass_kg * glm::dot(pull_mps2, Vec3d{at.position_m});
     });
     sum.elastic_J = elastic_energy_J(internals(world).joints);
     return sum;

@@ -28,6 +28,42 @@ TEST(PhysicsWorldBodies, ForcesLastForOneStep) {
     EXPECT_NEAR(test.velocity(cube).y, 3.0 / 60, 1e-6);
 }
 
+TEST(PhysicsWorldBodies, FallByTheirGravityFactor) {
+    for (const Solver solver : {Solver::SmallStep, Solver::BulletSi}) {
+        TestWorld test({.solver = solver});
+        const BodyId balloon =
+            test.add(BoxShape{},
+                     {0, 0, 0},
+                     {.kind = BodyKind::Dynamic, .mass_kg = 2, .gravity_factor = -0.5_r});
+        const BodyId free =
+            test.add(BoxShape{}, {9, 0, 0}, {.kind = BodyKind::Dynamic, .gravity_factor = 0});
+        test.run(1.0);
+        EXPECT_NEAR(test.velocity(balloon).y, kG / 2, 1e-4) << solver_name(solver);
+        EXPECT_EQ(test.velocity(free), Vec3d(0, 0, 0));
+        // What it gained it took from a field that pulls up.
+        EXPECT_NEAR(energy(test.world).kinetic_J + energy(test.world).potential_J, 0, 0.5);
+        test.world.apply_force(balloon, {0, 60, 0});
+        test.world.step();
+        EXPECT_NEAR(test.velocity(balloon).y, kG / 2 * (61.0 / 60) + 0.5, 1e-3);
+    }
+}
+
+TEST(PhysicsWorldBodies, HaveTheirMomentsAboutTheAxesThatAreGiven) {
+    TestWorld test(weightless());
+    const Real half = std::sqrt(0.5_r);  // a quarter turn about y: the first axis is the body's -z
+    const BodyId cube = test.add(BoxShape{},
+                                 {0, 0, 0},
+                                 {.kind = BodyKind::Dynamic,
+                                  .mass_kg = 2,
+                                  .inertia_kgm2 = Vec3{1, 2, 2.5_r},
+                                  .body_from_inertia = {half, 0, half, 0}});
+    test.world.apply_torque(cube, {6, 6, 6});
+    test.world.step();
+    EXPECT_NEAR(test.spin(cube).x, 6 / 2.5 / 60, 1e-4);
+    EXPECT_NEAR(test.spin(cube).y, 6 / 2.0 / 60, 1e-4);
+    EXPECT_NEAR(test.spin(cube).z, 6 / 1.0 / 60, 1e-3);
+}
+
 TEST(PhysicsWorldBodies, WhatCannotMoveDoesNotObey) {
     TestWorld test(weightless());
     const BodyId wall = test.add(BoxShape{}, {0, 0, 0}, {.kind = BodyKind::Static});
