@@ -57,6 +57,16 @@ AssetLibrary::Images::Pixels AssetLibrary::Images::decode(const fs::path& file) 
     return std::make_shared<const Result<ImageData>>(std::move(image));
 }
 
+std::string AssetLibrary::encoded_image(const fs::path& file) const {
+    {
+        const std::lock_guard lock(images_->mutex);
+        const auto found = images_->embedded.find(file.lexically_normal());
+        if (found != images_->embedded.end()) return *found->second;
+    }
+    Result<std::string> read = read_image_file(file);
+    return read ? std::move(*read) : std::string{};
+}
+
 void AssetLibrary::prefetch_images(const fs::path& sky) {
     std::vector<fs::path> wished;
     if (!sky.empty()) std::ranges::copy(skybox_files(sky), std::back_inserter(wished));

@@ -2,6 +2,7 @@
 
 #include "engine/assets/asset_images_impl.h"
 #include "engine/assets/foreign/decoder.h"
+#include "engine/assets/model/model_bodies.h"
 #include "engine/assets/model_import.h"
 #include "engine/assets/sound_import.h"
 #include "engine/core/limits.h"
@@ -152,6 +153,13 @@ Result<Done> AssetLibrary::import(ModelEntry& entry, const fs::path& file, const
         meshes_[id.value - 1] = std::move(mesh);
     };
     put(entry.model.mesh, std::exchange(imported->mesh, {}));
+    if (!imported->physics.is_empty()) {
+        std::vector<MeshData> bodies = body_meshes(*imported, file.string());
+        entry.model.bodies.resize(bodies.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (!bodies[i].indices.empty()) put(entry.model.bodies[i], std::move(bodies[i]));
+        }
+    }
     entry.moving.reset();
     if (imported->animations.empty()) return Done{};
     ModelParts parts = parts_of(*imported);

@@ -35,6 +35,8 @@ struct Model {
     ModelId id{};
     MeshId mesh{};
     std::vector<MaterialId> materials;  ///< the file's own, in the order of SubMesh::material
+    /// With physics: what each of ModelPhysics::motions moves, then what none does (see body_meshes); {}: nothing.
+    std::vector<MeshId> bodies{};
 };
 
 /// What is drawn of a model with animations, in place of Model::mesh.
@@ -85,6 +87,8 @@ public:
     /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken
     /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
     std::shared_ptr<const ImageData> take_image(const std::filesystem::path& file);
+    /// The bytes of an image, of a model file or one by itself, as they are; empty where it cannot be read.
+    std::string encoded_image(const std::filesystem::path& file) const;
 
     /// Images and sounds outside the folder `installed` are decoded in a process of their own; with an
     /// empty folder none is.

@@ -3,6 +3,7 @@
 
 #include "engine/assets/material_data.h"
 #include "engine/assets/mesh_data.h"
+#include "engine/assets/model_physics.h"
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,7 @@ struct ModelNode {
     std::vector<std::uint32_t> meshes;
     std::optional<std::uint32_t> skin;
     std::vector<float> morph_weights;  ///< at rest; empty: none of them
+    std::string extras;  ///< JSON of what a file of ours says of it beyond glTF; empty: nothing
 };
 
 /// Offsets of every vertex at weight 1.
@@ -90,8 +92,10 @@ struct ModelData {
     std::vector<MaterialData> materials;  ///< at least one when there are triangles
     std::vector<ModelAnimation> animations;
     std::vector<ModelSkin> skins;
+    ModelPhysics physics;
     std::vector<EmbeddedImage> images;
-    MeshData mesh;  ///< all of it in the file's own frame, at rest: see merged_mesh
+    MeshData mesh;       ///< all of it in the file's own frame, at rest: see merged_mesh
+    std::string extras;  ///< as ModelNode::extras, of the whole
     std::vector<std::filesystem::path> files;  ///< that were read, the model's own first
 };
 

@@ -33,10 +33,11 @@ Result<ModelData> read_kind(const std::string& extension,
     return read_gltf(bytes, name, references);
 }
 
-/// Merges what was read; refuses what leaves nothing to draw, or too much.
+/// Merges what was read; refuses what leaves nothing to draw or to collide with, or too much.
 Result<ModelData> finished(ModelData model, const std::string& name) {
     model.mesh = merged_mesh(model, rest_pose(model), name);
-    if (model.mesh.indices.empty()) return model_error(name, "it holds no triangles");
+    if (model.mesh.indices.empty() && model.physics.is_empty())
+        return model_error(name, "it holds no triangles");
     if (model.mesh.vertices.size() > limits::kVertices ||
         model.mesh.indices.size() > limits::kIndices) {
         return model_error(name, "it is too large");

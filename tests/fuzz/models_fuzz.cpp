@@ -1,5 +1,6 @@
 // Models in the formats that our own readers read: the first letter of an input names the format.
 #include "engine/assets/mesh_files/ply_import.h"
+#include "engine/assets/model/model_bodies.h"
 #include "engine/assets/model/model_pose.h"
 #include "engine/assets/model/model_readers_impl.h"
 #include "tests/engine/assets/animation_files.h"
@@ -50,6 +51,13 @@ void use(const ModelData& model) {
     for (const std::uint32_t index : mesh.indices) {
         if (index >= mesh.vertices.size()) std::abort();
     }
+    if (!model.physics.is_empty()) {
+        for (const assets::MeshData& body : body_meshes(model, "mutant")) {
+            for (const std::uint32_t index : body.indices) {
+                if (index >= body.vertices.size()) std::abort();
+            }
+        }
+    }
     for (const assets::ModelAnimation& animation : model.animations) {
         const assets::ModelPose pose = pose_at(model, animation, animation.duration_s / 2);
         for (const assets::ModelPart& part : parts_of(model).moving) {
@@ -66,7 +74,23 @@ std::vector<std::string> seeds() {
     sliding.slide(0);
     assets::test::TriangleFile turning;
     turning.hang_on_turning_bone();
-    return {"g" + sliding.glb(),
+    assets::test::TriangleFile physical;
+    physical.json["extensions"] = {
+        {"KHR_implicit_shapes",
+         {{"shapes", {{{"type", "capsule"}, {"capsule", {{"height", 1}, {"radiusTop", 0.5}}}}}}}},
+        {"KHR_physics_rigid_bodies",
+         {{"physicsMaterials", {{{"dynamicFriction", 0.5}, {"frictionCombine", "minimum"}}}},
+          {"collisionFilters", {{{"collisionSystems", {"a"}}, {"collideWithSystems", {"a"}}}}},
+          {"physicsJoints", {{{"limits", {{{"linearAxes", {0, 1}}, {"max", 1}}}}}}}}}};
+    physical.json["nodes"] = assets::test::Json::parse(R"([
+        {"mesh": 0, "children": [1], "scale": [1, 2, 1], "extensions": {"KHR_physics_rigid_bodies": {
+            "motion": {"mass": 2, "inertiaOrientation": [0, 0, 0, 1]},
+            "collider": {"geometry": {"shape": 0}, "physicsMaterial": 0, "collisionFilter": 0}}}},
+        {"rotation": [0, 0, 1, 1], "extensions": {"KHR_physics_rigid_bodies": {
+            "trigger": {"geometry": {"node": 0, "convexHull": true}},
+            "joint": {"connectedNode": 0, "joint": 0}}}}])");
+    return {"g" + physical.gltf(),
+            "g" + sliding.glb(),
             "g" + turning.glb(),
             "g" + assets::test::skinned().gltf(),
             "ov 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nusemtl a\n"

@@ -9,13 +9,17 @@ namespace plumbline::assets {
 namespace {
 
 /// What a file may demand of its reader. All else it may use, but not require.
-constexpr std::array<std::string_view, 7> kExtensions{"KHR_materials_unlit",
-                                                      "KHR_materials_transmission",
-                                                      "KHR_materials_emissive_strength",
-                                                      "KHR_materials_pbrSpecularGlossiness",
-                                                      "KHR_texture_transform",
-                                                      "KHR_mesh_quantization",
-                                                      "FB_ngon_encoding"};  // triangles as they are
+constexpr std::array<std::string_view, 11> kExtensions{"KHR_materials_unlit",
+                                                       "KHR_materials_transmission",
+                                                       "KHR_materials_emissive_strength",
+                                                       "KHR_materials_pbrSpecularGlossiness",
+                                                       "KHR_texture_transform",
+                                                       "KHR_mesh_quantization",
+                                                       "FB_ngon_encoding",  // triangles as they are
+                                                       "KHR_implicit_shapes",
+                                                       "KHR_physics_rigid_bodies",
+                                                       "KHR_collision_shapes",
+                                                       "KHR_rigid_bodies"};
 
 bool is_known(std::string_view extension) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
@@ -63,6 +67,7 @@ Result<ModelData> read_gltf(std::string_view bytes,
         read_nodes(reader);
         read_skins(reader);
         read_animations(reader);
+        read_physics(reader);
         return std::move(reader.model);
     } catch (const ModelFault& fault) {
         return model_error(name, fault.words);

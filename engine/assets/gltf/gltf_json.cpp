@@ -192,6 +192,24 @@ std::vector<float> GltfObject::numbers(const char* key, std::size_t size) const 
     fail("{}.{} must be {} numbers", where, key, size);
 }
 
+std::vector<double> GltfObject::reals(const char* key, std::size_t size) const {
+    if (!json.contains(key)) return {};
+    std::vector<double> values;
+    for (const Json& value : array(key)) {
+        if (!value.is_number()) break;
+        values.push_back(value.get<double>());
+    }
+    if (array(key).size() == size && values.size() == size) return values;
+    fail("{}.{} must be {} numbers", where, key, size);
+}
+
+std::optional<double> GltfObject::real(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::nullopt;
+    if (found->is_number()) return found->get<double>();
+    fail("{}.{} is not a number", where, key);
+}
+
 std::vector<GltfObject> GltfReader::objects(const char* key, std::size_t limit) const {
     const Json& list = root.array(key);
     if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);

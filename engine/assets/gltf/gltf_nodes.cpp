@@ -110,7 +110,7 @@ void read_place(const GltfObject& source, ModelNode& node) {
 }
 
 ModelNode read_node(const GltfReader& reader, const GltfObject& source) {
-    ModelNode node{.name = source.text("name")};
+    ModelNode node{.name = source.text("name"), .extras = own_extras(source)};
     read_place(source, node);
     const auto mesh = source.index("mesh", reader.mesh_parts.size());
     const auto skin = source.index("skin", reader.root.array("skins").size());
@@ -183,6 +183,38 @@ void keep_scene(GltfReader& reader,
 
 }  // namespace
 
+std::string own_extras(const GltfObject& owner) {
+    const auto extras = owner.json.find("extras");
+    if (extras == owner.json.end() || !extras->is_object()) return {};
+    const auto own = extras->find("plumbline");
+    return own == extras->end() ? std::string{} : own->dump();
+}
+
+std::vector<ColliderMesh> meshes_below(const GltfReader& reader, std::size_t node) {
+    const Json& list = reader.root.array("nodes");
+    struct Open {
+        std::size_t node;
+        Mat4f collider_from_node;
+    };
+    std::vector<ColliderMesh> meshes;
+    std::vector<Open> open{{node, Mat4f{1.0F}}};
+    while (!open.empty()) {
+        const Open next = open.back();
+        open.pop_back();
+        const GltfObject here = object_at(list, next.node, "nodes");
+        if (const auto mesh = here.index("mesh", reader.mesh_parts.size())) {
+            for (const std::uint32_t part : reader.mesh_parts[*mesh])
+                meshes.push_back({.mesh = part, .collider_from_mesh = next.collider_from_node});
+        }
+        for (const std::size_t child : node_list(here, "children", list.size())) {
+            ModelNode below;
+            read_place(object_at(list, child, "nodes"), below);
+            open.push_back({child, next.collider_from_node * below.parent_from_node});
+        }
+    }
+    return meshes;
+}
+
 void read_nodes(GltfReader& reader) {
     const std::vector<GltfObject> list = reader.objects("nodes", limits::kModelNodes);
     std::vector<std::size_t> parents(list.size(), kNoParent);
@@ -201,6 +233,7 @@ void read_nodes(GltfReader& reader) {
     check_tree(children, parents);
     const std::vector<std::size_t> roots = scene_roots(reader, parents);
     keep_scene(reader, std::move(nodes), children, parents, roots);
+    reader.model.extras = own_extras(reader.root);
     check_totals(reader);
 }
 

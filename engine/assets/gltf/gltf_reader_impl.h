@@ -43,6 +43,9 @@ struct GltfObject {
     float number(const char* key, float fallback) const;
     /// Exactly `size` numbers that floats can hold; empty when absent.
     std::vector<float> numbers(const char* key, std::size_t size) const;
+    /// The same at full precision.
+    std::vector<double> reals(const char* key, std::size_t size) const;
+    std::optional<double> real(const char* key) const;
 };
 /// An element of the list that messages call `where`.
 GltfObject object_at(const Json& list, std::size_t i, const std::string& where);
@@ -115,6 +118,12 @@ void read_meshes(GltfReader& reader);
 void read_nodes(GltfReader& reader);
 void read_skins(GltfReader& reader);
 void read_animations(GltfReader& reader);
+void read_physics(GltfReader& reader);
+
+/// The JSON of `extras.plumbline`; empty where there is none.
+std::string own_extras(const GltfObject& owner);
+/// What hangs on a node of the document, in the scene or not, in the frame of that node. After read_nodes().
+std::vector<ColliderMesh> meshes_below(const GltfReader& reader, std::size_t node);
 
 /// Adds bytes of our own making as a buffer and a view over all of it; the view's number.
 std::size_t add_buffer(GltfReader& reader, std::string bytes);

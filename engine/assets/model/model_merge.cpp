@@ -187,10 +187,12 @@ bool add_instance(MeshData& mesh, const Instance& instance, const std::string& n
     return !part.indices.empty();
 }
 
-MeshData merged_parts(const ModelData& model,
-                      std::vector<ModelPart> parts,
-                      const ModelPose& pose,
-                      const std::string& name) {
+}  // namespace
+
+MeshData merged_mesh(const ModelData& model,
+                     std::vector<ModelPart> parts,
+                     const ModelPose& pose,
+                     const std::string& name) {
     const auto material = [&](const ModelPart& part) { return model.meshes[part.mesh].material; };
     std::stable_sort(parts.begin(), parts.end(), [&](const ModelPart& a, const ModelPart& b) {
         return material(a) < material(b);
@@ -213,8 +215,6 @@ MeshData merged_parts(const ModelData& model,
     return mesh;
 }
 
-}  // namespace
-
 MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::string& name) {
     std::vector<ModelPart> parts;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
@@ -222,7 +222,7 @@ MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::s
             parts.push_back({.node = static_cast<std::uint32_t>(i), .mesh = mesh});
         }
     }
-    return merged_parts(model, std::move(parts), pose, name);
+    return merged_mesh(model, std::move(parts), pose, name);
 }
 
 Aabb bounds_of(const ModelData& model, const ModelPose& pose) {
@@ -239,7 +239,7 @@ Aabb bounds_of(const ModelData& model, const ModelPose& pose) {
 }
 
 MeshData still_mesh(const ModelData& model, const ModelParts& parts, const std::string& name) {
-    return merged_parts(model, parts.still, rest_pose(model), name);
+    return merged_mesh(model, parts.still, rest_pose(model), name);
 }
 
 MeshData part_mesh(const ModelData& model, const ModelPart& part, const ModelPose& pose) {

@@ -21,20 +21,26 @@ ModelPose rest_pose(const ModelData& model);
 /// `time_s` is clamped to the animation; the last key holds beyond its channel's end.
 ModelPose pose_at(const ModelData& model, const ModelAnimation& animation, float time_s);
 
-/// Everything in the model's own frame as one mesh, sub-meshes in the order of materials. Meshes
-/// that are no good (numbers not finite, beyond limits::kPosition_m) are left out with a warning;
-/// `name` is the file's, for that. Empty when nothing is left.
-MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::string& name);
-
-/// What the model takes up in a pose, in its own frame.
-Aabb bounds_of(const ModelData& model, const ModelPose& pose);
-
 /// A mesh shown by a node, to be drawn on its own.
 struct ModelPart {
     std::uint32_t node{0};
     std::uint32_t mesh{0};
     bool deforms{false};  ///< by bones or targets: its vertices change, in the model's frame
 };
+/// Everything in the model's own frame as one mesh, sub-meshes in the order of materials. Meshes
+/// that are no good (numbers not finite, beyond limits::kPosition_m) are left out with a warning;
+/// `name` is the file's, for that. Empty when nothing is left.
+MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::string& name);
+
+/// The same of these parts alone.
+MeshData merged_mesh(const ModelData& model,
+                     std::vector<ModelPart> parts,
+                     const ModelPose& pose,
+                     const std::string& name);
+
+/// What the model takes up in a pose, in its own frame.
+Aabb bounds_of(const ModelData& model, const ModelPose& pose);
+
 /// What moves in some animation, part by part, and what never does.
 struct ModelParts {
     std::vector<ModelPart> moving;
