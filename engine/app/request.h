@@ -32,6 +32,8 @@ struct SaveGame {
 struct LoadGame {
     int slot{0};
 };
+/// The scene as it is now, as a scene of its own.
+struct SaveLevel {};
 struct SaveImage {};
 struct SaveRecording {};
 struct StartOrEndFilm {};
@@ -65,6 +67,7 @@ using Request = std::variant<WorldRequest,
                              ReloadShaders,
                              SaveGame,
                              LoadGame,
+                             SaveLevel,
                              SaveImage,
                              SaveRecording,
                              StartOrEndFilm,

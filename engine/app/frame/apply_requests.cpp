@@ -27,6 +27,7 @@ void apply(const Request& request, Frame& frame) {
             [&](const ReloadShaders&) { frame.view.reload_shaders(); },
             [&](const SaveGame& asked) { frame.world.save_game(asked.slot); },
             [&](const LoadGame& asked) { frame.world.load_game(asked.slot); },
+            [&](const SaveLevel&) { frame.world.save_level(); },
             [&](const SaveImage&) { frame.view.save_image(); },
             [&](const SaveRecording&) { frame.world.save_recording(); },
             [&](const StartOrEndFilm&) { frame.film.start_or_end(); },

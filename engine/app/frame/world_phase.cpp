@@ -4,6 +4,7 @@
 #include "engine/app/capture/screenshot.h"
 #include "engine/app/controls/frame_controls.h"
 #include "engine/app/controls/key_labels.h"
+#include "engine/app/scene_copies.h"
 #include "engine/core/io/files.h"
 #include "engine/core/log.h"
 #include "engine/core/time/stopwatch.h"
@@ -130,6 +131,16 @@ void WorldPhase::adopt_accuracy() {
         write_adopted_copy(session_.description().file, session_.accuracy(), folders);
     if (!written) return state_.messages.say(written.error().message);
     state_.messages.say(fmt::format("accuracy saved to {}", written->string()));
+    scenes = scene::list_scenes(folders);
+}
+
+void WorldPhase::save_level() {
+    const scene::SceneFolders folders = scene::scene_folders(session_.folders().assets);
+    const Result<WrittenLevel> level = write_level(*session_.simulation, folders);
+    if (!level) return state_.messages.say(level.error().message);
+    std::string said = fmt::format("level saved to {}", level->file.string());
+    for (const std::string& note : level->notes) said += "; " + note;
+    state_.messages.say(said);
     scenes = scene::list_scenes(folders);
 }
 

@@ -27,6 +27,7 @@ public:
     void load_game(int slot);
     void save_recording();
     void adopt_accuracy();
+    void save_level();
     void start_ghost(const StartGhost& asked);
     void start_picture_study();
 

@@ -204,7 +204,10 @@ Page MenuPages::in_play() {
 
 Page MenuPages::saved_games() {
     Page page{.title = fmt::format("Saved games: {}", world_.scene_title), .most_width = 32.0F};
-    page.add_cells({back_cell()});
+    page.add_cells({back_cell(), {.text = "Save as level", .icon = Icon::Save, .activate = [this] {
+                                      ask(SaveLevel{});
+                                      menu_.close();
+                                  }}});
     for (const SaveSlot& slot : world_.saves) {
         Line line{
             .kind = LineKind::Cells,

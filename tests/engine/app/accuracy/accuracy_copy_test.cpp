@@ -192,7 +192,7 @@ material = "oak"
 
 TEST_F(AdoptedCopy, RefusesModelsAndWhatIsNotThere) {
     EXPECT_EQ(adopt(folder_.path() / "crate.glb", {}).error().message,
-              "crate.glb is no scene file: there is no [accuracy] to write");
+              "crate.glb is no scene file that another one can start from");
     EXPECT_FALSE(adopt(folder_.path() / "none.toml", {}).ok());
     EXPECT_FALSE(adopt(write("[scene\n"), {}).ok());
     EXPECT_EQ(folder_.count(), 1U) << "no copy of it";
