@@ -9,6 +9,7 @@
 #include "game/command_line/option_ranges.h"
 #include "game/command_line/parse_error.h"
 #include "game/command_line/program_words.h"
+#include "game/commands/export/export_command.h"
 #include "game/commands/other_commands.h"
 #include "game/commands/play_command.h"
 #include "game/commands/render_command.h"
@@ -37,6 +38,7 @@ struct Words {
     SimulateOptions simulate;
     StabilityOptions stability;
     StudyOptions study;
+    ExportOptions exported;
     std::string explained_scene;
     bool explain_as_json{false};
     bool list_as_json{false};
@@ -201,6 +203,7 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         words.study.quiet = words.common.quiet;
         return run_study(words.study);
     });
+    add(add_export(app, words.exported), [&] { return run_export(words.exported); });
     add(add_explain(app, words),
         [&] { return run_explain(words.explained_scene, words.explain_as_json); });
     add(app.add_subcommand("controls",

@@ -117,7 +117,7 @@ render::RenderFrame extract(const Simulation& simulation,
     frame.textures = simulation.switches.textures;
     // Dusk dims sun and sky; lamps shine on.
     const float daylight = simulation.switches.light_scale;
-    frame.clear_color = scene.clear_color * daylight;
+    frame.clear_color = scene.camera.clear_color * daylight;
     frame.ambient = scene.ambient.color * daylight;
     if (scene.sun) {
         frame.sun = render::DirectionalLight{

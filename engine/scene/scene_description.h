@@ -71,6 +71,7 @@ struct CameraDescription {
     Real far_m{500};
     std::optional<OrbitDescription> orbit{};
     std::optional<FocusDescription> focus{};
+    Vec3f clear_color{0.6F, 0.65F, 0.85F};
 };
 
 /// Views whose cosine with the camera's up is above this leave the image's top open.
@@ -151,7 +152,8 @@ struct PostDescription {
 // What an entity looks like.
 struct ModelVisual {
     std::filesystem::path file;
-    std::filesystem::path root;  ///< confinement for what the file names
+    std::filesystem::path root;         ///< confinement for what the file names
+    std::optional<std::size_t> body{};  ///< one of assets::Model::bodies; none: all of it
 };
 using Primitive = std::variant<physics::BoxShape,
                                physics::SphereShape,
@@ -188,7 +190,11 @@ struct BodyDescription {
     Vec3 angular_velocity_radps{0, 0, 0};
     std::optional<Vec3> center_of_mass_m{};
     std::optional<Vec3> inertia_kgm2{};
-    Vec3 linear_factor{1, 1, 1};  ///< 0 along world axes that it does not move along
+    Quat body_from_inertia{1, 0, 0, 0};  ///< the axes that inertia_kgm2 is about
+    Vec3 linear_factor{1, 1, 1};         ///< 0 along world axes that it does not move along
+    Real gravity_factor{1};
+    physics::CombineRule friction_rule{physics::CombineRule::Usual};
+    physics::CombineRule restitution_rule{physics::CombineRule::Usual};
     bool can_sleep{true};
     physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
     std::string group{"default"};
@@ -267,6 +273,7 @@ struct ArrayDescription {
     Vec3 turn_rad{0, 0, 0};  ///< about +Y; of each copy against the one before it along x, y, z
 };
 std::size_t copies_of(const ArrayDescription& array);
+Pose pose_of_copy(const ArrayDescription& array, const std::array<int, 3>& index);
 
 using physics::JointKind;
 
@@ -288,6 +295,16 @@ struct JointDescription {
     Real break_N{0};
     float creak{0.0F};  ///< how loudly it creaks as it turns; 0: not at all
     Real bar_m{0};      ///< radius of the bar that is drawn for it; 0: none
+    SourceLocation location{};
+};
+
+/// `[[change]]`: an entity of the scene, a copy of an array perhaps, that begins otherwise than it is described: what a
+/// level that was made in play has moved, frozen or taken away. Of two for one thing the later one counts.
+struct ChangeDescription {
+    std::string of;
+    std::optional<Pose> world_from_body{};
+    std::optional<bool> frozen{};
+    bool gone{false};
     SourceLocation location{};
 };
 
@@ -352,7 +369,6 @@ struct SceneDescription {
     bool shows_model{false};  ///< a model file by itself, on a stage fitted to it
     Real model_radius_m{0};   ///< of the sphere round that model, once it was imported
     std::optional<ViewerDescription> viewer{};
-    Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};
     std::optional<TimeDescription> time{};
@@ -365,6 +381,7 @@ struct SceneDescription {
     std::vector<EntityDescription> entities;
     std::vector<ArrayDescription> arrays;
     std::vector<JointDescription> joints;
+    std::vector<ChangeDescription> changes;
     std::vector<ViewDescription> views;
     std::optional<HardCase> hard_case{};
     std::optional<GoalDescription> goal{};

@@ -90,10 +90,12 @@ struct SceneJoint {
     std::string name;
     physics::JointId joint{};
     physics::BodyId a{};
-    Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
-    Vec3 anchor_b_body{0, 0, 0};  ///< where it holds b, in b's frame; of the world, world
-    float creak{0.0F};            ///< how loudly it creaks; 0: not at all
-    Real bar_m{0};                ///< radius of the bar that is drawn; 0: none
+    Vec3 anchor_a_body{0, 0, 0};    ///< where it holds a, in a's frame
+    Vec3 anchor_b_body{0, 0, 0};    ///< where it holds b, in b's frame; of the world, world
+    Quat world_from_a{1, 0, 0, 0};  ///< when it was made
+    Quat world_from_b{1, 0, 0, 0};  ///< of the world: none
+    float creak{0.0F};              ///< how loudly it creaks; 0: not at all
+    Real bar_m{0};                  ///< radius of the bar that is drawn; 0: none
     SourceLocation location{};
 };
 

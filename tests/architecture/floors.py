@@ -19,12 +19,12 @@ FLOORS = {
                 "dynamics/impact", "dynamics", "deformable", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
                 "copy", "fracture", "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
-    "scene": ["environment", "formats", "paths", "sections", "sections/fields", "json_scene", "build", "simulation"],
+    "scene": ["environment", "formats", "paths", "sections", "sections/fields", "json_scene", "build", "level", "gltf_scene", "simulation"],
     "effects": ["light", "nature", "fields", "physics", "sound", "screen"],
     "study": ["findings", "fields", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "engines", "gallery", "ghost",
               "scenes", "auto_preset"],
     "app": ["capture", "settings", "controls", "accuracy", "ui", "overlay", "frame"],
-    "game": ["command_line", "rules/hands", "rules", "offscreen", "commands/study", "commands"],
+    "game": ["command_line", "rules/hands", "rules", "offscreen", "commands/export", "commands/study", "commands"],
 }
 
 # Pairs of folders of one module where the first still includes from the second, which is higher. An entry that is not

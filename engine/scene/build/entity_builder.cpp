@@ -154,6 +154,12 @@ EntityBuilder::Appearance EntityBuilder::appearance_of_model(const EntityDescrip
     }
     Appearance appearance{
         .mesh = model->mesh, .materials = model->materials, .model = model->id, .is_model = true};
+    if (visual.body) {  // has a shape of its own, and no animation
+        const bool is_there = *visual.body < model->bodies.size();
+        appearance.mesh = is_there ? model->bodies[*visual.body] : assets::MeshId{};
+        appearance.model = {};
+        appearance.is_model = false;
+    }
     for (assets::MaterialId& material : appearance.materials) {
         const std::string& own_name = simulation_.library().material(material).name;
         if (!description.material.empty()) {
@@ -278,6 +284,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .world_from_body = description.world_from_body,
          .mass_kg = is_dynamic ? mass_kg : Real{0},
          .inertia_kgm2 = inertia_of(description, mass_kg, *shape),
+         .body_from_inertia = body.body_from_inertia,
          .center_of_mass_m = body.center_of_mass_m,
          .velocity_mps = body.velocity_mps,
          .angular_velocity_radps = body.angular_velocity_radps,
@@ -287,9 +294,12 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .rolling_friction = body.rolling_friction,
          .spinning_friction = body.spinning_friction,
          .restitution = body.restitution.value_or(surface.restitution),
+         .friction_rule = body.friction_rule,
+         .restitution_rule = body.restitution_rule,
          .linear_damping_per_s = body.linear_damping_per_s,
          .angular_damping_per_s = body.angular_damping_per_s,
          .linear_factor = body.linear_factor,
+         .gravity_factor = body.gravity_factor,
          .can_sleep = body.can_sleep,
          .ccd = body.ccd,
          .contact_events = (is_dynamic && simulation_.surfaces().is_heard(surface_index)) ||

@@ -19,6 +19,8 @@ public:
 
     /// Names the group's bit; groups beyond the 32nd are an error.
     Result<std::uint32_t> group_bit(const std::string& name);
+    /// Those named so far, each with its bit.
+    const std::map<std::string, std::uint32_t>& groups() const { return groups_; }
     /// Materials that stand in where the scene has none of the name: for things from outside it.
     void lend_materials(const std::map<std::string, assets::MaterialData>& materials);
     /// Adds the entity under `name`. On an error nothing is left of it.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace plumbline::scene {
@@ -44,6 +45,14 @@ public:
         for (std::uint32_t face = 0; face < faces_.size(); ++face) {
             if (faces_[face].is_hull && !faces_[face].outside.empty()) add_farthest_of(face);
         }
+    }
+
+    std::vector<std::array<std::uint32_t, 3>> triangles() const {
+        std::vector<std::array<std::uint32_t, 3>> corners;
+        for (const Face& face : faces_) {
+            if (face.is_hull) corners.push_back(face.corners);
+        }
+        return corners;
     }
 
     double volume_m3(const Vec3d& inside) const {
@@ -165,38 +174,61 @@ private:
         face_from_;  ///< by corner: the face added over the horizon's edge from it
 };
 
-}  // namespace
-
-Real hull_volume_m3(const std::vector<Vec3>& points_m) {
-    if (points_m.size() < 4) return 0;
-    std::vector<Vec3d> points;
-    points.reserve(points_m.size());
-    for (const Vec3& p : points_m) points.push_back(Vec3d(p));
-
+/// Four points that span a volume, of a set that does.
+std::optional<std::array<std::uint32_t, 4>> tetrahedron_of(const std::vector<Vec3d>& points,
+                                                           double& skin_m) {
+    if (points.size() < 4) return {};
     const std::size_t a = farthest(points, [](const Vec3d& p) { return -p.x; });
     const std::size_t b =
         farthest(points, [&](const Vec3d& p) { return glm::distance(p, points[a]); });
     const double size_m = glm::distance(points[a], points[b]);
-    const double skin_m = size_m * 1e-9;
-    if (size_m <= 0.0) return 0;
+    skin_m = size_m * 1e-9;
+    if (size_m <= 0.0) return {};
     const Vec3d along = (points[b] - points[a]) / size_m;
     const auto from_line = [&](const Vec3d& p) {
         return glm::length(glm::cross(p - points[a], along));
     };
     const std::size_t c = farthest(points, from_line);
-    if (from_line(points[c]) <= skin_m) return 0;
+    if (from_line(points[c]) <= skin_m) return {};
     const Vec3d up = glm::normalize(glm::cross(along, points[c] - points[a]));
     const auto from_plane = [&](const Vec3d& p) { return std::abs(glm::dot(p - points[a], up)); };
     const std::size_t d = farthest(points, from_plane);
-    if (from_plane(points[d]) <= skin_m) return 0;
+    if (from_plane(points[d]) <= skin_m) return {};
+    return std::array{static_cast<std::uint32_t>(a),
+                      static_cast<std::uint32_t>(b),
+                      static_cast<std::uint32_t>(c),
+                      static_cast<std::uint32_t>(d)};
+}
 
+/// What `ask` says of the hull; nothing of a flat set.
+template <class Ask>
+auto ask_hull(const std::vector<Vec3>& points_m, Ask ask)
+    -> std::optional<decltype(ask(std::declval<const Quickhull&>(), Vec3d{}))> {
+    std::vector<Vec3d> points;
+    points.reserve(points_m.size());
+    for (const Vec3& p : points_m) points.push_back(Vec3d(p));
+    double skin_m = 0;
+    const auto corners = tetrahedron_of(points, skin_m);
+    if (!corners) return {};
     Quickhull hull(points, skin_m);
-    hull.grow_from({static_cast<std::uint32_t>(a),
-                    static_cast<std::uint32_t>(b),
-                    static_cast<std::uint32_t>(c),
-                    static_cast<std::uint32_t>(d)});
-    return static_cast<Real>(
-        hull.volume_m3((points[a] + points[b] + points[c] + points[d]) * 0.25));
+    hull.grow_from(*corners);
+    Vec3d inside{0, 0, 0};
+    for (const std::uint32_t corner : *corners) inside += points[corner];
+    return ask(hull, inside * 0.25);
+}
+
+}  // namespace
+
+Real hull_volume_m3(const std::vector<Vec3>& points_m) {
+    const auto volume_m3 = [](const Quickhull& hull, const Vec3d& inside) {
+        return static_cast<Real>(hull.volume_m3(inside));
+    };
+    return ask_hull(points_m, volume_m3).value_or(Real{0});
+}
+
+std::vector<std::array<std::uint32_t, 3>> hull_triangles(const std::vector<Vec3>& points_m) {
+    const auto triangles = [](const Quickhull& hull, const Vec3d&) { return hull.triangles(); };
+    return ask_hull(points_m, triangles).value_or(std::vector<std::array<std::uint32_t, 3>>{});
 }
 
 }  // namespace plumbline::scene

@@ -7,6 +7,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/scene/scene_description.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -32,6 +33,8 @@ void bounds_of(const physics::ShapeDef& shape, Vec3& min_body, Vec3& max_body);
 std::vector<Vec3> points_of(const physics::ShapeDef& shape);
 /// Volume of the convex hull of the points; 0 for fewer than 4 and for flat sets.
 Real hull_volume_m3(const std::vector<Vec3>& points_m);
+/// Its faces, counter-clockwise from outside, by number of the points; none of flat sets.
+std::vector<std::array<std::uint32_t, 3>> hull_triangles(const std::vector<Vec3>& points_m);
 
 inline physics::ShapeDef shape_of_primitive(const Primitive& primitive) {
     return std::visit([](const auto& shape) { return physics::ShapeDef{shape}; }, primitive);

@@ -178,11 +178,11 @@ private:
     }
 
     void read_background(const Json& root) {
-        scene_.clear_color = Vec3f{1.0F};
+        scene_.camera.clear_color = Vec3f{1.0F};
         const Json* value = member_of(root, "background");
         if (value == nullptr) return;
         if (const auto color = json_vector(*value, "background", faults_))
-            scene_.clear_color = Vec3f{*color};
+            scene_.camera.clear_color = Vec3f{*color};
     }
 
     void read_objects(const Json& root) {

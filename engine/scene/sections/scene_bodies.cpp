@@ -2,6 +2,9 @@
 #include "engine/core/limits.h"
 #include "engine/scene/sections/scene_parts.h"
 
+#include <array>
+#include <string_view>
+
 namespace plumbline::scene {
 namespace {
 
@@ -64,6 +67,13 @@ void read_mass_frame(TableReader& table, BodyDescription& body) {
 void read_surface(TableReader& table, BodyDescription& body) {
     table.read("friction", body.friction, kFriction);
     table.read("restitution", body.restitution, kFraction);
+    constexpr std::array<std::string_view, 5> kRules{
+        "usual", "multiply", "maximum", "minimum", "average"};
+    table.read_choice("friction_combine", body.friction_rule, kRules);
+    table.read_choice("restitution_combine", body.restitution_rule, kRules);
+}
+
+void read_losses(TableReader& table, BodyDescription& body) {
     table.read("rolling_friction", body.rolling_friction, kFriction);
     table.read("spinning_friction", body.spinning_friction, kFriction);
     table.read("linear_damping_per_s", body.linear_damping_per_s, kDamping);
@@ -91,9 +101,7 @@ Vec3 read_linear_factor(TableReader& table, const BodyDescription& body) {
 void read_motion_state(TableReader& table, BodyDescription& body) {
     table.read("velocity_mps", body.velocity_mps, kSpeed_mps);
     table.read("angular_velocity_radps", body.angular_velocity_radps, kSpin_radps);
-    body.linear_factor = read_linear_factor(table, body);
-    table.read("can_sleep", body.can_sleep);
-    table.read_choice("ccd", body.ccd, {"auto", "on", "off"});
+    table.read("gravity_factor", body.gravity_factor, {-1000, 1000, "a factor from -1000 to 1000"});
     if (body.kind == BodyKind::Dynamic) return;
     const bool moves = glm::length(body.velocity_mps) > 0;
     const bool spins = glm::length(body.angular_velocity_radps) > 0;
@@ -138,6 +146,14 @@ void check_shape(TableReader& table,
 
 }  // namespace
 
+void read_body_traits(TableReader& table, BodyDescription& body) {
+    read_losses(table, body);
+    if (table.has("linear_factor")) body.linear_factor = read_linear_factor(table, body);
+    table.read("can_sleep", body.can_sleep);
+    table.read_choice("ccd", body.ccd, {"auto", "on", "off"});
+    read_body_fields(table, body);
+}
+
 void read_body(TableReader& table,
                BodyDescription& body,
                const VisualDescription& visual,
@@ -149,7 +165,7 @@ void read_body(TableReader& table,
     read_surface(table, body);
     read_motion_state(table, body);
     read_groups(table, body);
-    read_body_fields(table, body);
+    read_body_traits(table, body);
     check_shape(table, body, visual, use);
 }
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 23> kSceneOnly{
+constexpr std::array<std::string_view, 24> kSceneOnly{
     "world",      "accuracy", "player", "camera", "sun",   "sky",   "ambient", "fog",
     "flashlight", "post",     "goal",   "entity", "array", "joint", "effects", "view",
-    "hard_case",  "fountain", "wind",   "grass",  "flock", "time",  "sound"};
+    "hard_case",  "fountain", "wind",   "grass",  "flock", "time",  "sound",   "change"};
 
 /// One file of the load.
 struct SourceFile {
@@ -50,18 +50,21 @@ public:
     }
 
     /// Nothing when there is an error among the faults.
-    std::optional<SceneDescription> load(const fs::path& file) {
+    /// `tables`: where the file's own go, over those that it starts from.
+    std::optional<SceneDescription> load(const fs::path& file, TomlNode* tables = nullptr) {
         scene_.file = file;
         const SourceFile* source = open(file, SourceLocation{}, {});
         if (source == nullptr) return {};
         context_.scene_location = SourceLocation{.file = source->name};
         collect(*source, file);
         const TomlNode whole = with_base(*source);
+        if (tables != nullptr) *tables = whole;
         TableReader root(whole, {}, faults_);
         read_sections(root, scene_, context_);
         read_prefabs(scene_, context_);
         read_entities(root, scene_, context_);
         read_arrays(root, scene_, context_);
+        read_changes(root, scene_, context_);
         read_joints(root, scene_, context_);
         read_ropes(root, scene_, context_);
         read_cloths(root, scene_, context_);
@@ -304,7 +307,15 @@ Result<SceneDescription> load_model(const fs::path& file,
     if (!fs::is_regular_file(file, failed)) return fail("is not a regular file");
     const bool is_ours = !assets_folder.empty() && is_inside(assets_folder, file);
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    return scene_of_model(file, is_ours ? assets_folder : folder);
+    const fs::path root = is_ours ? assets_folder : folder;
+    if (!may_have_physics(file)) return scene_of_model(file, root);
+    std::optional<SceneDescription> scene;
+    {
+        FaultList list(faults);
+        scene = read_gltf_scene(file, root, assets_folder, list);
+    }  // hands the faults over
+    if (!scene) return refuse(faults, before);
+    return std::move(*scene);
 }
 
 }  // namespace
@@ -340,6 +351,18 @@ Result<SceneDescription> read_description(const fs::path& file,
     }  // hands the faults over
     if (!scene) return refuse(faults, before);
     return std::move(*scene);
+}
+
+Result<TomlNode> tables_of_scene(const fs::path& file, const fs::path& assets_folder) {
+    Diagnostics faults;
+    TomlNode tables;
+    std::optional<SceneDescription> scene;
+    {
+        Loader loader(assets_folder, faults);
+        scene = loader.load(file, &tables);
+    }  // hands the faults over
+    if (!scene) return refuse(faults, 0).error();
+    return tables;
 }
 
 Result<fs::path> find_scene(const std::string& name, const SceneFolders& folders) {

@@ -125,9 +125,7 @@ void read_drive(TableReader& table, JointDescription& joint) {
     table.read("damping_Nspm", joint.damping_Nspm, kForce);
     table.read("rest_length_m", joint.rest_length_m, {0, 1e4, "a length from 0 to 10000 m"});
     table.read("collide", joint.collide);
-    table.read("break_N", joint.break_N, kForce);
-    table.read("creak", joint.creak, {0, 10, "a factor from 0 to 10"});
-    table.read("bar_m", joint.bar_m, {0, 10, "a radius from 0 to 10 m"});
+    read_joint_traits(table, joint);
 }
 
 /// Keys that the kind has no use for: said, not refused.
@@ -174,6 +172,12 @@ void read_joint(TableReader& table, JointDescription& joint, const SceneNames& n
 }
 
 }  // namespace
+
+void read_joint_traits(TableReader& table, JointDescription& joint) {
+    table.read("break_N", joint.break_N, kForce);
+    table.read("creak", joint.creak, {0, 10, "a factor from 0 to 10"});
+    table.read("bar_m", joint.bar_m, {0, 10, "a radius from 0 to 10 m"});
+}
 
 NamedEnd read_named_end(TableReader& table,
                         std::string_view key,

@@ -130,6 +130,9 @@ void read_body(TableReader& table,
                const VisualDescription& visual,
                EntityUse use);
 
+/// What of it has no place in glTF's physics.
+void read_body_traits(TableReader& table, BodyDescription& body);
+
 // --- fields/scene_fields.cpp
 void read_body_fields(TableReader& table, BodyDescription& body);
 void read_fields(TableReader& root, SceneDescription& scene);
@@ -147,7 +150,12 @@ Pose read_pose(TableReader& table);
 /// rotation_deg or orientation; nothing where there is neither.
 std::optional<Quat> read_turn(TableReader& table);
 
+// --- scene_changes.cpp
+void read_changes(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- scene_joints.cpp
+/// What of it has no place in glTF's physics.
+void read_joint_traits(TableReader& table, JointDescription& joint);
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
 
 // --- fields/scene_ropes.cpp
@@ -185,6 +193,21 @@ void read_fidelity(TableReader& table, Fidelity& fidelity);
 std::optional<SceneDescription> read_json_scene(const std::filesystem::path& file,
                                                 const std::filesystem::path& assets_folder,
                                                 Diagnostics& faults);
+
+// --- scene_file.cpp
+/// The tables of a .toml, over those of the scene that it starts from. The error is its first fault.
+Result<TomlNode> tables_of_scene(const std::filesystem::path& file,
+                                 const std::filesystem::path& assets_folder);
+
+// --- gltf_scene/gltf_scene.cpp
+/// A look at its text alone.
+bool may_have_physics(const std::filesystem::path& file);
+/// A .glb or .gltf with its bodies, joints and triggers; without any, as scene_of_model(). Nothing when a fault is an
+/// error.
+std::optional<SceneDescription> read_gltf_scene(const std::filesystem::path& file,
+                                                const std::filesystem::path& root,
+                                                const std::filesystem::path& assets_folder,
+                                                FaultList& faults);
 
 // --- scene_model_file.cpp
 /// A model by itself: on a ground plane, in sunlight. fit_stage() gives them their sizes.

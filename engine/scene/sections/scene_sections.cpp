@@ -84,7 +84,7 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     if (!table) return;
     constexpr Range kPlane_m{1e-3, 1e6, "a length from 0.001 to 1000000 m"};
     CameraDescription& camera = scene.camera;
-    table->read_color("clear_color", scene.clear_color);
+    table->read_color("clear_color", scene.camera.clear_color);
     // [camera] with nothing but a clear colour places no camera.
     scene.has_camera = table->has("position_m") || table->has("target_m") || table->has("orbit");
     table->read("position_m", camera.position_m, kCoordinate_m);

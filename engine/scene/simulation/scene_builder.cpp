@@ -1,6 +1,7 @@
 #include "engine/core/limits.h"
 #include "engine/physics/query.h"
 #include "engine/scene/build/entity_builder.h"
+#include "engine/scene/level/level_changes.h"
 #include "engine/scene/sections/scene_parts.h"
 #include "engine/scene/simulation.h"
 #include "engine/scene/simulation/entity_lookup.h"
@@ -36,11 +37,7 @@ Result<Done> build_array(const ArrayDescription& array, EntityBuilder& builder) 
     for (int z = 0; z < array.count[2]; ++z) {
         for (int y = 0; y < array.count[1]; ++y) {
             for (int x = 0; x < array.count[0]; ++x) {
-                const Vec3 cell{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
-                copy.world_from_body.position = array.origin_m + array.spacing_m * cell;
-                copy.world_from_body.orientation =
-                    portable_angle_axis(glm::dot(array.turn_rad, cell), Vec3{0, 1, 0}) *
-                    array.prefab.world_from_body.orientation;
+                copy.world_from_body = pose_of_copy(array, {x, y, z});
                 const Result<ecs::Entity> made =
                     builder.build(copy, fmt::format("{}.{}.{}.{}", array.name, x, y, z));
                 if (!made) return made.error();
@@ -205,6 +202,7 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         if (!made) return made.error();
     }
     if (const Result<Done> made = add_wholes(*simulation, description); !made) return made.error();
+    apply_changes(*simulation);
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
     warn_of_overlaps(*simulation);

@@ -22,6 +22,16 @@ Result<physics::BodyId> Simulation::holder_of(const std::string& name,
                  ExitCode::Refused};
 }
 
+namespace {
+
+/// No body: the world.
+Quat turn_of(const physics::PhysicsWorld& physics, physics::BodyId body) {
+    if (!physics.contains(body)) return {1, 0, 0, 0};
+    return physics.state(body).world_from_body.orientation;
+}
+
+}  // namespace
+
 Result<Done> Simulation::add_joint(const JointDescription& description) {
     const auto refuse = [&description](const std::string& why) {
         return Error{
@@ -56,6 +66,8 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
                               .a = *a,
                               .anchor_a_body = anchor_in(*a, description.anchor_a_m),
                               .anchor_b_body = anchor_in(*b, description.anchor_b_m),
+                              .world_from_a = turn_of(physics, *a),
+                              .world_from_b = turn_of(physics, *b),
                               .creak = description.creak,
                               .bar_m = description.bar_m,
                               .location = description.location});

@@ -194,6 +194,15 @@ std::vector<std::string> not_handed(const PlayedScene& scene) {
             break;
         }
     }
+    for (const BodyCopy& body : physics::copy_of(simulation.physics).bodies) {
+        const bool pulled = body.gravity_factor != body.linear_factor;
+        const bool ruled = body.friction_rule != physics::CombineRule::Usual ||
+                           body.restitution_rule != physics::CombineRule::Usual;
+        if (!pulled && !ruled) continue;
+        names.emplace_back(pulled ? "a gravity factor"
+                                  : "a rule that combines friction or restitution");
+        break;
+    }
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (!is_led(simulation, moving)) continue;
         names.emplace_back("a body that is led");

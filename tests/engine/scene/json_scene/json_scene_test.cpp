@@ -47,7 +47,7 @@ TEST_F(JsonScene, VerticesFallOnTheirPixels) {
     const SceneDescription& scene = *outcome.scene;
     EXPECT_EQ(scene.viewer->width_px, 640);
     EXPECT_EQ(scene.viewer->height_px, 480);
-    EXPECT_EQ(scene.clear_color, Vec3f{0.5F});
+    EXPECT_EQ(scene.camera.clear_color, Vec3f{0.5F});
     EXPECT_NEAR(scene.camera.near_m, 0.1, 1e-7);
     EXPECT_NEAR(scene.camera.far_m, 10, 1e-6);
     const assets::MeshData& mesh = mesh_of(scene, 0);
@@ -75,7 +75,7 @@ TEST_F(JsonScene, WhatIsLeftOutHasItsDefault) {
     const Outcome outcome = load_file("a.json");
     ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
     const SceneDescription& scene = *outcome.scene;
-    EXPECT_EQ(scene.clear_color, Vec3f{1.0F});
+    EXPECT_EQ(scene.camera.clear_color, Vec3f{1.0F});
     EXPECT_NEAR(std::tan(scene.camera.fov_y_rad / 2), 1, 1e-6);
     EXPECT_NEAR(scene.camera.near_m, 1e-3, 1e-9);
     EXPECT_NEAR(scene.camera.far_m, 1e3, 1e-3);

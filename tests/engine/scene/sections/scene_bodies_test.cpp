@@ -130,6 +130,19 @@ TEST_F(SceneFileTest, LinearFactorHoldsAlongAxes) {
         "ignored");
 }
 
+TEST_F(SceneFileTest, GravityFactorAndCombineRules) {
+    const SceneDescription scene = good(std::string(kBallWithBody) +
+                                        "gravity_factor = -0.5\nfriction_combine = \"minimum\"\n"
+                                        "restitution_combine = \"average\"\n");
+    const BodyDescription& body = *scene.entities[0].body;
+    EXPECT_EQ(body.gravity_factor, -0.5_r);
+    EXPECT_EQ(body.friction_rule, physics::CombineRule::Minimum);
+    EXPECT_EQ(body.restitution_rule, physics::CombineRule::Average);
+    expect_only(std::string(kBallWithBody) + "gravity_factor = 2000\n",
+                "5:18: error: entity[0].body.gravity_factor: 2000; expected a "
+                "factor from -1000 to 1000");
+}
+
 TEST_F(SceneFileTest, OnlyDynamicBodiesHaveVelocities) {
     const std::string ball(kBallWithBody);
     expect_only(ball + "kind = \"static\"\nvelocity_mps = [0, 1, 0]\n",

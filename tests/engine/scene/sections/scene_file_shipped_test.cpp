@@ -226,9 +226,9 @@ TEST(ShippedScenes, TheBooksColoursAreOfTheScreen) {
         const double value = static_cast<double>(linear);
         return std::lround(255 * (1.055 * std::pow(value, 1 / 2.4) - 0.055));
     };
-    EXPECT_EQ(shown(scene->clear_color.x), 153);
-    EXPECT_EQ(shown(scene->clear_color.y), 166);
-    EXPECT_EQ(shown(scene->clear_color.z), 217);
+    EXPECT_EQ(shown(scene->camera.clear_color.x), 153);
+    EXPECT_EQ(shown(scene->camera.clear_color.y), 166);
+    EXPECT_EQ(shown(scene->camera.clear_color.z), 217);
     EXPECT_EQ(shown(scene->materials.at("red").base_color.y), 51);
     expect_near(scene->camera.position_m, {10, 5, 0});
     expect_near(scene->camera.target_m, {0, 0, 0});

@@ -53,7 +53,7 @@ body = { kind = "static" }
     EXPECT_NEAR(scene.camera.fov_y_rad, kPi / 3, kSlack);
     EXPECT_NEAR(scene.camera.near_m, 0.1_r, kSlack);
     EXPECT_NEAR(scene.camera.far_m, Real{250}, kSlack);
-    expect_near_f(scene.clear_color, {0.1F, 0.2F, 0.3F});
+    expect_near_f(scene.camera.clear_color, {0.1F, 0.2F, 0.3F});
     ASSERT_EQ(scene.views.size(), 1U);
     EXPECT_EQ(scene.views[0].name, "gate");
     EXPECT_NEAR(scene.views[0].wait_s, 2.5_r, kSlack);

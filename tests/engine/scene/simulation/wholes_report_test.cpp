@@ -10,11 +10,11 @@ namespace plumbline::scene {
 namespace {
 
 nlohmann::json wholes_of(const Simulation& simulation) {
-    JsonText json(JsonLayout::OneLine);
-    json.begin_object();
-    add_wholes(json, simulation, {});
-    json.end_object();
-    return nlohmann::json::parse(json.str());
+    JsonText text(JsonLayout::OneLine);
+    text.begin_object();
+    add_wholes(text, simulation, {});
+    text.end_object();
+    return nlohmann::json::parse(text.str());
 }
 
 TEST(WholesReport, HasAListOfEachKind) {

@@ -1,7 +1,9 @@
-#include "game/commands/study/saved_start.h"
+// Scenes where a saved game left them.
+#include "game/commands/export/restored_scene.h"
 
 #include "engine/effects/saved_game.h"
 #include "game/commands/simulate_command.h"
+#include "game/commands/study/saved_start.h"
 #include "game/rules/rules.h"
 #include "tests/game/commands/command_run.h"
 
