@@ -32,7 +32,8 @@ TEST_F(SceneFileTest, ChangesOfNothingAreErrors) {
         EXPECT_FALSE(outcome.scene.ok()) << change;
         return outcome.faults.empty() ? std::string{} : outcome.faults.front();
     };
-    EXPECT_NE(said("[[change]]\nof = \"bal\"\n").find("\"bal\" is no entity"), std::string::npos);
+    EXPECT_NE(said("[[change]]\nof = \"bal\"\n").find("no entity is called \"bal\""),
+              std::string::npos);
     EXPECT_NE(said("[[change]]\nof = \"lamp\"\n").find("body"), std::string::npos);
     EXPECT_NE(said("[[change]]\ngone = true\n").find("expected the name of an entity with a body"),
               std::string::npos);

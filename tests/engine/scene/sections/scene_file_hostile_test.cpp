@@ -72,7 +72,7 @@ TEST_F(SceneFileHostile, DeepNesting) {
     expect_only(
         deepest,
         "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
-        "cloth, effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, "
+        "change, cloth, effects, entity, explosion, flashlight, flock, fog, fountain, goal, grass, "
         "hard_case, "
         "joint, "
         "material, "
