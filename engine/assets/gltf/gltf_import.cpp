@@ -21,6 +21,9 @@ constexpr std::array<std::string_view, 11> kExtensions{"KHR_materials_unlit",
                                                        "KHR_collision_shapes",
                                                        "KHR_rigid_bodies"};
 
+/// What it may demand as well, though we leave it out: the rest is worth showing without.
+constexpr std::string_view kLights = "KHR_lights_punctual";
+
 bool is_known(std::string_view extension) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
@@ -34,7 +37,7 @@ void read_head(const GltfReader& reader) {
     if (!version.starts_with("2.")) fail("it is glTF version \"{}\"; 2 is read", version);
     for (const Json& required : reader.root.array("extensionsRequired")) {
         const auto* name = required.get_ptr<const std::string*>();
-        if (name == nullptr || !is_known(*name)) {
+        if (name == nullptr || (*name != kLights && !is_known(*name))) {
             fail("it requires the extension {}, which is not read", required.dump());
         }
     }

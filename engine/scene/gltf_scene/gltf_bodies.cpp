@@ -186,18 +186,36 @@ struct BodyMaker {
         body.gravity_factor = static_cast<Real>(std::clamp(motion.gravity_factor, -1000.0, 1000.0));
     }
 
-    /// What our exporter says beyond glTF.
-    void add_extras(std::uint32_t node, BodyDescription& body) const {
+    /// What our exporter says beyond glTF of an entity that stands at the node. Joints read their own.
+    void add_extras(std::uint32_t node, EntityDescription& entity) const {
         const std::string& extras = gltf.model.nodes[node].extras;
         if (extras.empty()) return;
         const auto table = table_of_extras(extras, gltf.location, gltf.faults);
         if (!table) return;
         TableReader reader(*table, gltf.called(node), gltf.faults);
-        if (auto own = reader.table("body")) {
-            read_body_traits(*own, body);
-            own->finish();
+        auto traits = reader.table("body");
+        if (traits && entity.body) {
+            read_body_traits(*traits, *entity.body);
+            traits->finish();
         }
+        if (!entity.body || entity.body->kind != BodyKind::Static)
+            reader.read_table("light", entity.light, read_light);
+        for (const char* read_elsewhere : {"light", "joint"}) reader.find(read_elsewhere);
         reader.finish();
+    }
+
+    /// Lamps that no body carries.
+    void add_lamps() {
+        for (std::uint32_t node = 0; node < gltf.model.nodes.size(); ++node) {
+            if (gltf.model.nodes[node].extras.empty() || gltf.moves(node)) continue;
+            EntityDescription lamp;
+            lamp.world_from_body = pose_of(gltf.places[node]);
+            lamp.location = gltf.location;
+            add_extras(node, lamp);
+            if (!lamp.light) continue;
+            lamp.name = name_for(node);
+            gltf.scene.entities.push_back(std::move(lamp));
+        }
     }
 
     void add_moving(std::size_t number) {
@@ -228,8 +246,8 @@ struct BodyMaker {
         filter(*colliders.front(), body);
         wear(*colliders.front(), body);
         launch(motion, body);
-        add_extras(motion.node, body);
         entity.body = std::move(body);
+        add_extras(motion.node, entity);
         named[number] = entity.name;
         gltf.scene.entities.push_back(std::move(entity));
     }
@@ -281,8 +299,8 @@ struct BodyMaker {
         check_alike(colliders);
         filter(first, body);
         wear(first, body);
-        add_extras(owner, body);
         entity.body = std::move(body);
+        add_extras(owner, entity);
         gltf.entities[owner] = entity.name;
         for (const assets::ModelCollider* collider : colliders)
             gltf.entities[collider->node] = entity.name;
@@ -352,6 +370,7 @@ struct BodyMaker {
         for (const assets::ModelCollider& collider : physics().colliders) {
             if (collider.is_trigger) add_trigger(collider);
         }
+        add_lamps();
         EntityDescription scenery;
         for (scenery.name = "scenery"; !names.insert(scenery.name).second;) scenery.name += "'";
         scenery.visual = part_of(physics().motions.size());

@@ -3,8 +3,14 @@
 #include "engine/scene/build/shape_factory.h"
 #include "engine/scene/gltf_scene/gltf_export_impl.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace plumbline::scene {
 namespace {
@@ -50,9 +56,6 @@ void note_losses(GltfOutput& out) {
     lost(scene.grass.has_value() || !scene.flocks.empty(), "grass and flocks are");
     lost(scene.wind.has_value() || !scene.forces.wind_zones.empty(), "wind is");
     lost(scene.goal.has_value(), "the goal is");
-    std::size_t lights = 0;
-    out.simulation.registry.view<const PointLight>().each([&](auto, const auto&) { ++lights; });
-    lost(lights > 0, "lamps are");
     for (const MovingBody& moving : out.simulation.moving_bodies()) {
         if (out.simulation.registry.find<MotionPath>(moving.entity) == nullptr) continue;
         out.note("bodies that are led along a path keep the velocity that they have now");
@@ -80,6 +83,27 @@ void write_trigger(GltfOutput& out, const std::string& name, std::size_t node) {
     }
 }
 
+/// For our reader alone, with the keys of [entity.light].
+Json light_of(const PointLight& light) {
+    const float brightest =
+        std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-6F});
+    const Vec3f color = light.intensity / brightest;
+    Json table{{"kind", light.is_spot ? "spot" : "point"},
+               {"color", {color.x, color.y, color.z}},
+               {"intensity", brightest},
+               {"radius_m", light.radius_m},
+               {"shadow", light.casts_shadow},
+               {"offset_m", {light.offset_body.x, light.offset_body.y, light.offset_body.z}}};
+    table["on"] = light.on == LampOn::Always;
+    if (light.on == LampOn::Dark) table["on"] = "dark";
+    if (!light.is_spot) return table;
+    const Vec3f& direction = light.direction_body;
+    table["direction"] = {direction.x, direction.y, direction.z};
+    table["inner_deg"] = degrees_from_radians(light.inner_rad);
+    table["outer_deg"] = degrees_from_radians(light.outer_rad);
+    return table;
+}
+
 void write_entities(GltfOutput& out) {
     Simulation& simulation = out.simulation;
     std::map<physics::BodyId, const physics::BodyCopy*> copies;
@@ -105,6 +129,8 @@ void write_entities(GltfOutput& out) {
                 out.add_child(number, {{"mesh", *mesh}, {"scale", gltf_numbers(transform.scale)}});
             }
         }
+        if (const auto* light = simulation.registry.find<PointLight>(entity))
+            out.node(number)["extras"]["plumbline"]["light"] = light_of(*light);
         const auto* ref = simulation.registry.find<BodyRef>(entity);
         if (ref == nullptr || !copies.contains(ref->body)) return;
         out.nodes.emplace(ref->body, number);

@@ -42,6 +42,15 @@ TEST(GltfImport, only_warns_of_extensions_that_a_file_merely_uses) {
     EXPECT_TRUE(contains(import.log, "the extension EXT_strange is ignored")) << import.log;
 }
 
+// Blender demands its lamps; a scene is worth showing without them.
+TEST(GltfImport, leaves_out_lights_that_a_file_requires) {
+    TriangleFile file;
+    file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_lights_punctual"};
+    const Import import = import_bytes(file.gltf());
+    EXPECT_TRUE(import.ok()) << import.error();
+    EXPECT_TRUE(contains(import.log, "the extension KHR_lights_punctual is ignored")) << import.log;
+}
+
 // EXPERIENCE G15: the drafts and the text of KHR are read; its twin of another house is scenery, and a line says so.
 TEST(GltfImport, reads_the_physics_of_khr_of_three_years_and_ignores_its_twin) {
     const Json boxes{{"shapes", {{{"type", "box"}, {"box", {{"size", {1, 1, 1}}}}}}}};

@@ -17,7 +17,7 @@ protected:
             "s.toml",
             "[scene]\ntitle = \"Drop\"\n[[entity]]\nname = \"ball\"\n"
             "position_m = [0, 10, 0]\nprimitive = { sphere = 0.5 }\n[entity.body]\n"
-            "[entity.light]\n");
+            "[wind]\n");
     }
     test::CommandRun exported(const ExportOptions& options) {
         return test::ran([&] { return run_export(options); });
@@ -33,7 +33,7 @@ TEST_F(ExportCommand, WritesASceneAndSaysWhatIsNotInIt) {
     const fs::path out = folder_ / "s.glb";
     const test::CommandRun run = exported({.scene = scene().string(), .out = out});
     EXPECT_EQ(run.code, ExitCode::Good) << run.said;
-    EXPECT_NE(run.said.find("export: lamps are left out"), std::string::npos) << run.said;
+    EXPECT_NE(run.said.find("export: wind is left out"), std::string::npos) << run.said;
     const auto read_back = read(out);
     ASSERT_TRUE(read_back.ok()) << read_back.error().message;
     EXPECT_EQ(read_back->title, "Drop");
