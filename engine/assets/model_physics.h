@@ -47,6 +47,7 @@ struct PhysicsMaterial {
     std::optional<double> restitution{};
     CombineMode friction_combine{CombineMode::Average};
     CombineMode restitution_combine{CombineMode::Average};
+    std::string extras{};  ///< as ModelNode::extras
 };
 
 /// Which colliders touch each other, by names of systems.

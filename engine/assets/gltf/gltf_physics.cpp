@@ -92,7 +92,8 @@ PhysicsMaterial material_of(const GltfObject& source) {
                              .dynamic_friction = source.real("dynamicFriction"),
                              .restitution = source.real("restitution"),
                              .friction_combine = mode_of(source, "frictionCombine"),
-                             .restitution_combine = mode_of(source, "restitutionCombine")};
+                             .restitution_combine = mode_of(source, "restitutionCombine"),
+                             .extras = own_extras(source)};
     for (const auto& value :
          {material.static_friction, material.dynamic_friction, material.restitution}) {
         if (value && *value < 0.0) fail("{} has a coefficient below 0", source.where);

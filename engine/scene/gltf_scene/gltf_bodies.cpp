@@ -116,15 +116,12 @@ struct BodyMaker {
     void wear(const assets::ModelCollider& collider, BodyDescription& body) const {
         if (!collider.material) return;
         const assets::PhysicsMaterial& material = physics().materials[*collider.material];
+        if (!material.extras.empty()) return wear_own(material.extras, body);
         const auto friction =
             material.dynamic_friction ? material.dynamic_friction : material.static_friction;
         if (friction) {
-            // A product is what two geometric means make, of squares.
-            const bool multiplies = material.friction_combine == assets::CombineMode::Multiply;
-            body.friction =
-                static_cast<Real>(std::min(multiplies ? *friction * *friction : *friction, 1000.0));
-            body.friction_rule =
-                multiplies ? CombineRule::Usual : rule_of(material.friction_combine);
+            body.friction = static_cast<Real>(std::min(*friction, 1000.0));
+            body.friction_rule = rule_of(material.friction_combine);
         }
         if (material.static_friction && material.dynamic_friction &&
             std::abs(*material.static_friction - *material.dynamic_friction) > kFrictionsDiffer)
@@ -135,13 +132,20 @@ struct BodyMaker {
                 *material.dynamic_friction);
         if (!material.restitution) return;
         body.restitution = static_cast<Real>(std::min(*material.restitution, 1.0));
+        body.restitution_rule = rule_of(material.restitution_combine);
         if (*material.restitution > 1.0)
             gltf.warn(collider.node,
                       "a restitution of {} makes energy; 1 is used",
                       *material.restitution);
-        body.restitution_rule = material.restitution_combine == assets::CombineMode::Maximum
-                                    ? CombineRule::Usual
-                                    : rule_of(material.restitution_combine);
+    }
+
+    /// What our exporter says of a material: glTF has no geometric mean.
+    void wear_own(const std::string& extras, BodyDescription& body) const {
+        const auto table = table_of_extras(extras, gltf.location, gltf.faults);
+        if (!table) return;
+        TableReader reader(*table, "physicsMaterials", gltf.faults);
+        read_body_surface(reader, body);
+        reader.finish();
     }
 
     void weigh(const assets::ModelMotion& motion, BodyDescription& body) const {

@@ -88,16 +88,21 @@ const char* name_of(CombineRule rule, const char* usual) {
     return usual;
 }
 
-/// The geometric mean is the product of roots, which glTF can say.
+/// What other programs read of the usual rules: the geometric mean is a product of roots. Ours reads the extras.
 std::size_t material_of(GltfOutput& out, const BodyCopy& body) {
     const bool usual = body.friction_rule == CombineRule::Usual;
     const Real friction = usual ? std::sqrt(body.friction) : body.friction;
+    Json own{{"friction", body.friction},
+             {"restitution", body.restitution},
+             {"friction_combine", name_of(body.friction_rule, "usual")},
+             {"restitution_combine", name_of(body.restitution_rule, "usual")}};
     return place_in(out.physics()["physicsMaterials"],
                     {{"staticFriction", friction},
                      {"dynamicFriction", friction},
                      {"restitution", body.restitution},
                      {"frictionCombine", name_of(body.friction_rule, "multiply")},
-                     {"restitutionCombine", name_of(body.restitution_rule, "maximum")}});
+                     {"restitutionCombine", name_of(body.restitution_rule, "maximum")},
+                     {"extras", {{"plumbline", std::move(own)}}}});
 }
 
 /// Nothing for a body that touches everything and that everything touches.

@@ -64,15 +64,6 @@ void read_mass_frame(TableReader& table, BodyDescription& body) {
     body.inertia_kgm2.reset();
 }
 
-void read_surface(TableReader& table, BodyDescription& body) {
-    table.read("friction", body.friction, kFriction);
-    table.read("restitution", body.restitution, kFraction);
-    constexpr std::array<std::string_view, 5> kRules{
-        "usual", "multiply", "maximum", "minimum", "average"};
-    table.read_choice("friction_combine", body.friction_rule, kRules);
-    table.read_choice("restitution_combine", body.restitution_rule, kRules);
-}
-
 void read_losses(TableReader& table, BodyDescription& body) {
     table.read("rolling_friction", body.rolling_friction, kFriction);
     table.read("spinning_friction", body.spinning_friction, kFriction);
@@ -146,6 +137,15 @@ void check_shape(TableReader& table,
 
 }  // namespace
 
+void read_body_surface(TableReader& table, BodyDescription& body) {
+    table.read("friction", body.friction, kFriction);
+    table.read("restitution", body.restitution, kFraction);
+    constexpr std::array<std::string_view, 5> kRules{
+        "usual", "multiply", "maximum", "minimum", "average"};
+    table.read_choice("friction_combine", body.friction_rule, kRules);
+    table.read_choice("restitution_combine", body.restitution_rule, kRules);
+}
+
 void read_body_traits(TableReader& table, BodyDescription& body) {
     read_losses(table, body);
     if (table.has("linear_factor")) body.linear_factor = read_linear_factor(table, body);
@@ -162,7 +162,7 @@ void read_body(TableReader& table,
     read_mass(table, body);
     body.shape = read_body_shape(table, visual);
     read_mass_frame(table, body);
-    read_surface(table, body);
+    read_body_surface(table, body);
     read_motion_state(table, body);
     read_groups(table, body);
     read_body_traits(table, body);

@@ -130,6 +130,8 @@ void read_body(TableReader& table,
                const VisualDescription& visual,
                EntityUse use);
 
+/// Friction, restitution, and how they are combined.
+void read_body_surface(TableReader& table, BodyDescription& body);
 /// What of it has no place in glTF's physics.
 void read_body_traits(TableReader& table, BodyDescription& body);
 

@@ -118,9 +118,9 @@ TEST(GltfBodies, CombineTheirMaterialsByTheTextsRules) {
     EXPECT_EQ(read.body("average").friction_rule, CombineRule::Average);
     EXPECT_EQ(read.body("average").restitution_rule, CombineRule::Average);
     EXPECT_NEAR(num(*read.body("average").friction), 0.4, 1e-6);
-    EXPECT_EQ(read.body("product").friction_rule, CombineRule::Usual) << "the root of squares";
-    EXPECT_NEAR(num(*read.body("product").friction), 0.25, 1e-6);
-    EXPECT_EQ(read.body("most").restitution_rule, CombineRule::Usual);
+    EXPECT_EQ(read.body("product").friction_rule, CombineRule::Multiply);
+    EXPECT_NEAR(num(*read.body("product").friction), 0.5, 1e-6);
+    EXPECT_EQ(read.body("most").restitution_rule, CombineRule::Maximum);
     EXPECT_EQ(read.body("most").restitution, Real{1});
     EXPECT_EQ(read.body("least").friction_rule, CombineRule::Minimum);
     EXPECT_NE(read.said().find("a restitution of 1.5 makes energy"), std::string::npos);

@@ -86,6 +86,9 @@ TEST(GltfExportBodies, KeepsFactorsRulesAndFilters) {
     EXPECT_EQ(twin.friction_rule, physics::CombineRule::Minimum);
     EXPECT_EQ(twin.restitution_rule, physics::CombineRule::Average);
     EXPECT_EQ(twin.rolling_friction, 0.01_r);
+    const BodyDescription& other = *read.entities[1].body;
+    EXPECT_EQ(other.friction_rule, physics::CombineRule::Usual) << "though glTF has no such rule";
+    EXPECT_EQ(other.friction, (*trip.before).surfaces().get(0).friction);
     EXPECT_FALSE(twin.can_sleep);
     EXPECT_EQ(read.entities[1].body->group, "ghost");
     EXPECT_LT(trip.apart_m(120), 1e-4);
