@@ -210,12 +210,17 @@ std::optional<double> GltfObject::real(const char* key) const {
     fail("{}.{} is not a number", where, key);
 }
 
-std::vector<GltfObject> GltfReader::objects(const char* key, std::size_t limit) const {
-    const Json& list = root.array(key);
-    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
+std::vector<GltfObject> GltfObject::objects(const char* key, std::size_t limit) const {
+    const Json& list = array(key);
+    const std::string called = where.empty() ? key : fmt::format("{}.{}", where, key);
+    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), called, limit);
     std::vector<GltfObject> objects;
-    for (std::size_t i = 0; i < list.size(); ++i) objects.push_back(object_at(list, i, key));
+    for (std::size_t i = 0; i < list.size(); ++i) objects.push_back(object_at(list, i, called));
     return objects;
+}
+
+std::vector<GltfObject> GltfReader::objects(const char* key, std::size_t limit) const {
+    return root.objects(key, limit);
 }
 
 }  // namespace plumbline::assets

@@ -17,32 +17,22 @@ constexpr std::array<const char*, 2> kBodyExtensions{"KHR_physics_rigid_bodies",
 constexpr std::array<const char*, 2> kShapeExtensions{"KHR_implicit_shapes",
                                                       "KHR_collision_shapes"};
 
+/// An object within another one, called after both.
+std::optional<GltfObject> part_of(const GltfObject& owner, const char* key) {
+    auto part = owner.object(key);
+    if (part) part->where = owner.where.empty() ? key : fmt::format("{}.{}", owner.where, key);
+    return part;
+}
+
 /// The extension's object under whichever of its names.
 std::optional<GltfObject> extension_of(const GltfObject& owner,
                                        const std::array<const char*, 2>& names) {
     const auto extensions = owner.object("extensions");
     if (!extensions) return {};
     for (const char* name : names) {
-        if (auto found = extensions->object(name)) {
-            found->where = owner.where.empty() ? name : fmt::format("{}.{}", owner.where, name);
-            return found;
-        }
+        if (auto found = part_of(*extensions, name)) return found;
     }
     return {};
-}
-
-std::vector<GltfObject> entries_of(const GltfObject& owner, const char* key) {
-    const Json& list = owner.array(key);
-    if (list.size() > kMostEntries)
-        fail("{}.{} has {} entries; at most {} are read",
-             owner.where,
-             key,
-             list.size(),
-             kMostEntries);
-    std::vector<GltfObject> entries;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        entries.push_back(object_at(list, i, fmt::format("{}.{}", owner.where, key)));
-    return entries;
 }
 
 std::vector<std::string> texts_of(const GltfObject& owner, const char* key) {
@@ -119,6 +109,13 @@ ModelShape round_shape(const GltfObject& source, bool is_capsule) {
     return round;
 }
 
+/// What the document has as one mesh.
+std::vector<ColliderMesh> meshes_of(const GltfReader& reader, std::size_t mesh) {
+    std::vector<ColliderMesh> meshes;
+    for (const std::uint32_t part : reader.mesh_parts[mesh]) meshes.push_back({.mesh = part});
+    return meshes;
+}
+
 /// In the draft convex and trimesh are shapes as well, which name a mesh.
 ModelShape shape_of(const GltfReader& reader, const GltfObject& source) {
     const std::string type = source.text("type");
@@ -140,10 +137,7 @@ ModelShape shape_of(const GltfReader& reader, const GltfObject& source) {
     if (type == "convex" || type == "trimesh") {
         const auto mesh = own.index("mesh", reader.mesh_parts.size());
         if (!mesh) fail("{}.mesh is missing", own.where);
-        ModelTriangles triangles{.convex_hull = type == "convex"};
-        for (const std::uint32_t part : reader.mesh_parts[*mesh])
-            triangles.meshes.push_back({.mesh = part});
-        return triangles;
+        return ModelTriangles{.meshes = meshes_of(reader, *mesh), .convex_hull = type == "convex"};
     }
     fail("{} has the type \"{}\"; box, sphere, capsule and cylinder are read", source.where, type);
 }
@@ -166,17 +160,17 @@ struct PhysicsReader {
 
     void read_lists() {
         if (const auto extension = extension_of(reader.root, kShapeExtensions)) {
-            for (const GltfObject& shape : entries_of(*extension, "shapes"))
+            for (const GltfObject& shape : extension->objects("shapes", kMostEntries))
                 shapes.push_back(shape_of(reader, shape));
         }
         const auto extension = extension_of(reader.root, kBodyExtensions);
         if (!extension) return;
-        for (const GltfObject& material : entries_of(*extension, "physicsMaterials"))
+        for (const GltfObject& material : extension->objects("physicsMaterials", kMostEntries))
             physics.materials.push_back(material_of(material));
-        for (const GltfObject& filter : entries_of(*extension, "collisionFilters"))
+        for (const GltfObject& filter : extension->objects("collisionFilters", kMostEntries))
             physics.filters.push_back(filter_of(filter));
-        joints = entries_of(*extension, "physicsJoints");
-        for (GltfObject& draft : entries_of(*extension, "physicsJointLimits"))
+        joints = extension->objects("physicsJoints", kMostEntries);
+        for (GltfObject& draft : extension->objects("physicsJointLimits", kMostEntries))
             joints.push_back(std::move(draft));
     }
 
@@ -184,8 +178,7 @@ struct PhysicsReader {
         if (const auto shape = source.index("shape", shapes.size())) return shapes[*shape];
         ModelTriangles triangles{.convex_hull = flag_of(source, "convexHull")};
         if (const auto mesh = source.index("mesh", reader.mesh_parts.size())) {
-            for (const std::uint32_t part : reader.mesh_parts[*mesh])
-                triangles.meshes.push_back({.mesh = part});
+            triangles.meshes = meshes_of(reader, *mesh);
         } else if (const auto node = source.index("node", reader.node_places.size())) {
             triangles.meshes = meshes_below(reader, *node);
         } else {
@@ -199,9 +192,8 @@ struct PhysicsReader {
     }
 
     void read_collider(const GltfObject& owner, std::uint32_t node, const char* key) {
-        auto source = owner.object(key);
+        const auto source = part_of(owner, key);
         if (!source) return;
-        source->where = fmt::format("{}.{}", owner.where, key);
         const auto geometry = source->object("geometry");
         const bool is_trigger = std::string_view(key) == "trigger";
         // A compound trigger has its volumes below it, each a trigger of its own.
@@ -217,9 +209,8 @@ struct PhysicsReader {
     }
 
     void read_motion(const GltfObject& owner, std::uint32_t node) {
-        auto source = owner.object("motion");
+        const auto source = part_of(owner, "motion");
         if (!source) return;
-        source->where = owner.where + ".motion";
         ModelMotion motion{.node = node,
                            .is_kinematic = flag_of(*source, "isKinematic"),
                            .mass_kg = source->real("mass"),
@@ -273,9 +264,8 @@ struct PhysicsReader {
     }
 
     void read_joint(const GltfObject& owner, std::uint32_t node) {
-        auto source = owner.object("joint");
+        const auto source = part_of(owner, "joint");
         if (!source) return;
-        source->where = owner.where + ".joint";
         const auto connected = node_of(reader, *source, "connectedNode");
         const char* key = source->json.contains("jointLimits") ? "jointLimits" : "joint";
         const auto number = source->index(key, joints.size());
@@ -288,9 +278,9 @@ struct PhysicsReader {
         }
         ModelJoint joint{
             .node = node, .connected = *connected, .collide = flag_of(*source, "enableCollision")};
-        for (const GltfObject& limit : entries_of(joints[*number], "limits"))
+        for (const GltfObject& limit : joints[*number].objects("limits", kMostEntries))
             joint.limits.push_back(limit_of(limit));
-        for (const GltfObject& drive : entries_of(joints[*number], "drives"))
+        for (const GltfObject& drive : joints[*number].objects("drives", kMostEntries))
             joint.drives.push_back(drive_of(drive));
         physics.joints.push_back(std::move(joint));
     }

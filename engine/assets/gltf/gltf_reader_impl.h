@@ -33,6 +33,8 @@ struct GltfObject {
 
     /// The array of that name; an empty one when it is absent.
     const Json& array(const char* key) const;
+    /// Its elements, at most `limit` of them.
+    std::vector<GltfObject> objects(const char* key, std::size_t limit) const;
     /// The object of that name, called as this one is; nothing when it is absent.
     std::optional<GltfObject> object(const char* key) const;
     /// A whole number, 0 or more; nothing when absent.

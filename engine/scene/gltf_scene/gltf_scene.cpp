@@ -63,18 +63,15 @@ void read_surroundings(const GltfScene& gltf, const fs::path& assets_folder) {
 
 }  // namespace
 
-bool may_have_physics(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    if (extension != ".glb" && extension != ".gltf") return false;
-    const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
-    return bytes && bytes->find("_rigid_bodies\"") != std::string::npos;
-}
-
 std::optional<SceneDescription> read_gltf_scene(const fs::path& file,
                                                 const fs::path& root,
                                                 const fs::path& assets_folder,
                                                 FaultList& faults) {
     const SourceLocation location = in_file(file.string());
+    const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
+    // A look at the text spares the import of a model by itself.
+    if (!bytes || bytes->find("_rigid_bodies\"") == std::string::npos)
+        return scene_of_model(file, root);
     const Result<assets::ModelData> model = assets::import_model(file, root);
     if (!model) {
         faults.error(location, {}, model.error().message);
@@ -102,9 +99,8 @@ std::optional<SceneDescription> read_gltf_scene(const fs::path& file,
     } else {
         read_surroundings(gltf, assets_folder);
     }
-    const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
     Hasher hasher;
-    if (bytes) hasher.add(bytes->data(), bytes->size());
+    hasher.add(bytes->data(), bytes->size());
     scene.content_hash = hasher.digest();
     if (faults.any_error()) return {};
     return scene;

@@ -1,6 +1,7 @@
 #include "engine/scene/level/level_text.h"
 
 #include "engine/core/text/toml_text.h"
+#include "engine/scene/build/array_copies.h"
 #include "engine/scene/build/fragments.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,11 @@ public:
             if (entity.body) add(entity.name, entity.world_from_body);
         }
         for (const ArrayDescription& array : scene.arrays) {
-            if (array.prefab.body) add_copies(array);
+            if (!array.prefab.body) continue;
+            visit_copies(array, [this](const std::string& name, const Pose& pose) {
+                add(name, pose);
+                return true;
+            });
         }
         for (const ChangeDescription& change : scene.changes) {
             Began& began = poses_[change.of];
@@ -56,16 +61,6 @@ private:
         names_.push_back(name);
         poses_[name].pose = pose;
     }
-    void add_copies(const ArrayDescription& array) {
-        for (int z = 0; z < array.count[2]; ++z) {
-            for (int y = 0; y < array.count[1]; ++y) {
-                for (int x = 0; x < array.count[0]; ++x)
-                    add(fmt::format("{}.{}.{}.{}", array.name, x, y, z),
-                        pose_of_copy(array, {x, y, z}));
-            }
-        }
-    }
-
     std::vector<std::string> names_;
     std::map<std::string, Began> poses_;
 };

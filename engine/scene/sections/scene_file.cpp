@@ -308,7 +308,8 @@ Result<SceneDescription> load_model(const fs::path& file,
     const bool is_ours = !assets_folder.empty() && is_inside(assets_folder, file);
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     const fs::path root = is_ours ? assets_folder : folder;
-    if (!may_have_physics(file)) return scene_of_model(file, root);
+    const std::string extension = file.extension().string();
+    if (extension != ".glb" && extension != ".gltf") return scene_of_model(file, root);
     std::optional<SceneDescription> scene;
     {
         FaultList list(faults);

@@ -202,8 +202,6 @@ Result<TomlNode> tables_of_scene(const std::filesystem::path& file,
                                  const std::filesystem::path& assets_folder);
 
 // --- gltf_scene/gltf_scene.cpp
-/// A look at its text alone.
-bool may_have_physics(const std::filesystem::path& file);
 /// A .glb or .gltf with its bodies, joints and triggers; without any, as scene_of_model(). Nothing when a fault is an
 /// error.
 std::optional<SceneDescription> read_gltf_scene(const std::filesystem::path& file,

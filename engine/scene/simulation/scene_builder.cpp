@@ -1,5 +1,6 @@
 #include "engine/core/limits.h"
 #include "engine/physics/query.h"
+#include "engine/scene/build/array_copies.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/level/level_changes.h"
 #include "engine/scene/sections/scene_parts.h"
@@ -31,20 +32,15 @@ std::size_t body_count_of(const SceneDescription& description) {
     return bodies;
 }
 
-/// x runs fastest, as the files say; z slowest.
 Result<Done> build_array(const ArrayDescription& array, EntityBuilder& builder) {
     EntityDescription copy = array.prefab;
-    for (int z = 0; z < array.count[2]; ++z) {
-        for (int y = 0; y < array.count[1]; ++y) {
-            for (int x = 0; x < array.count[0]; ++x) {
-                copy.world_from_body = pose_of_copy(array, {x, y, z});
-                const Result<ecs::Entity> made =
-                    builder.build(copy, fmt::format("{}.{}.{}.{}", array.name, x, y, z));
-                if (!made) return made.error();
-            }
-        }
-    }
-    return Done{};
+    Result<Done> built = Done{};
+    visit_copies(array, [&](const std::string& name, const Pose& pose) {
+        copy.world_from_body = pose;
+        if (const Result<ecs::Entity> made = builder.build(copy, name); !made) built = made.error();
+        return built.ok();
+    });
+    return built;
 }
 
 /// Bodies that start inside each other are thrown apart; whoever wrote the scene should know.
