@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Writes assets/scenes/bench/boxes_{100,1000,3000}.toml, the scene that other engines were measured with,
-and lamps_{0,8,24,64,256}.toml, one floor under so many lamps.
+lamps_{0,8,24,64,256}.toml, one floor under so many lamps, and stacks_3000.toml and block_3000.toml, as many boxes in
+three hundred islands and in one.
 
     python3 assets/source/make_bench_scenes.py
 
@@ -91,6 +92,66 @@ def scene(count):
     return "\n".join(parts)
 
 
+STACKS = """# 3000 boxes that stay awake: {what}. What threads give (docs/PERFORMANCE.md).
+# Written by assets/source/make_bench_scenes.py.
+
+[scene]
+title = "{title}"
+description = "Bench: {what}"
+
+[camera]
+position_m = [0, 6, {from_m}]
+target_m = [0, 1, 0]
+fov_deg = 60
+
+[sun]
+direction = [-16, -40, -12]
+intensity = 3.0
+shadow = {{ cascades = 1, size_px = 2048, distance_m = 60 }}
+
+[sky]
+skybox = "skies/garden"
+
+[[material]]
+name = "box"
+base_color = [0.75, 0.42, 0.2]
+roughness = 0.7
+
+[[material]]
+name = "ground"
+base_color = [0.35, 0.4, 0.33]
+roughness = 0.95
+
+[[entity]]
+name = "ground"
+position_m = [0, -0.5, 0]
+primitive = {{ box = [60, 1, 60] }}
+material = "ground"
+[entity.body]
+kind = "static"
+
+[[prefab]]
+name = "box"
+primitive = {{ box = [0.2, 0.2, 0.2] }}
+material = "box"
+[prefab.body]
+mass_kg = 1
+can_sleep = false
+
+[[array]]
+name = "box"
+prefab = "box"
+origin_m = [{x:g}, 0.1, {z:g}]
+count = [{columns}, 10, {rows}]
+spacing_m = [{apart_m:g}, 0.2, {apart_m:g}]
+"""
+
+
+def stacks(what, title, columns, rows, apart_m, from_m):
+    return STACKS.format(what=what, title=title, columns=columns, rows=rows, apart_m=apart_m, from_m=from_m,
+                         x=-apart_m * (columns - 1) / 2, z=-apart_m * (rows - 1) / 2)
+
+
 LAMPS = """# One floor under {count} lamps that reach 4 m each: what a light costs (docs/PERFORMANCE.md).
 # Written by assets/source/make_bench_scenes.py.
 
@@ -149,3 +210,6 @@ for count in (100, 1000, 3000):
     (folder / f"boxes_{count}.toml").write_text(scene(count))
 for across, deep in ((0, 0), (4, 2), (6, 4), (8, 8), (16, 16)):
     (folder / f"lamps_{across * deep}.toml").write_text(lamps(across, deep))
+for name, words in (("stacks_3000", ("300 stacks of ten", "3000 boxes in stacks", 20, 15, 1, 16)),
+                    ("block_3000", ("one block, each touching its neighbours", "3000 boxes in one block", 20, 15, 0.2, 7))):
+    (folder / f"{name}.toml").write_text(stacks(*words))

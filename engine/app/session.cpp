@@ -1,6 +1,7 @@
 #include "engine/app/session.h"
 
 #include "engine/core/log.h"
+#include "engine/scene/accuracy.h"
 #include "engine/scene/simulation/sun_hour.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
 #include "engine/study/gallery/case_events.h"
@@ -85,7 +86,9 @@ Result<scene::OpenedScene> Session::open_scene() {
     Result<scene::OpenedScene> opened = scene::open_scene(
         def_.scene, {.folders = def_.folders, .overrides = def_.overrides}, faults);
     if (opened) {
-        opened->description.accuracy = study::resolve_auto(*opened);
+        scene::Accuracy& accuracy = opened->description.accuracy;
+        accuracy = study::resolve_auto(*opened);
+        if (!accuracy.threads) accuracy.threads = scene::kAutoThreads;
         return opened;
     }
     log_errors(faults);

@@ -58,6 +58,8 @@ struct WorldDef {
     Solver solver{Solver::SmallStep};
     JointMethod joints{JointMethod::Direct};  ///< small_step only
     std::uint32_t seed{0};                    ///< of the solver's own shuffling, where it has any
+    /// small_step: threads that share a step, the caller's among them; >= 1. Results do not depend on it.
+    int threads{1};
     /// Outlives the world, which keeps those that it began with. None: filters and combined() of materials decide.
     const PairRules* pair_rules{nullptr};
 };

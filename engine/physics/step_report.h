@@ -27,13 +27,15 @@ struct Interventions {
     void add(const Interventions& more);
 };
 
-/// CPU time and work of the latest step, by phase.
+/// CPU time of all threads and work of the latest step, by phase.
 struct StepCost {
     double broad_ms{0};
     double narrow_ms{0};
     double solve_ms{0};
     double integrate_ms{0};
     double total_ms{0};           ///< whole step; the rest is "other"
+    double helpers_ms{0};         ///< of it on other threads than the caller's
+    double wall_ms{0};            ///< from its start to its end
     std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
     std::uint32_t contacts{0};    ///< contact points
     std::uint32_t belts{0};       ///< small_step: manifolds on belts, for each part of a step

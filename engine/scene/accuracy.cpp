@@ -1,6 +1,7 @@
 #include "engine/scene/accuracy.h"
 
 #include "engine/core/io/archive.h"
+#include "engine/core/threads/team.h"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +45,13 @@ auto place_of_fidelity(Description& description, std::string_view effect) {
                                 : places.at(static_cast<std::size_t>(found - names.begin()));
 }
 
+/// One core is left to who draws, and to the rest of the machine; more threads than these were never measured.
+constexpr int kMostAutoThreads = 4;
+
+int thread_count(int asked) {
+    return asked == kAutoThreads ? std::clamp(usable_cores() - 1, 1, kMostAutoThreads) : asked;
+}
+
 }  // namespace
 
 std::span<const Preset> presets() {
@@ -71,6 +79,7 @@ void put_over(const SimulationOverrides& overrides, Accuracy& accuracy) {
     if (overrides.substeps) accuracy.substeps = accuracy.substeps_max = overrides.substeps;
     if (overrides.substeps_max) accuracy.substeps_max = overrides.substeps_max;
     if (overrides.iterations) accuracy.iterations = overrides.iterations;
+    if (overrides.threads) accuracy.threads = overrides.threads;
 }
 
 void EffectFidelity::serialize(Archive& archive) {
@@ -129,7 +138,8 @@ physics::WorldDef world_def(const SceneDescription& description,
             own.iterations.value_or(small ? preset.small_iterations : preset.bullet_iterations),
         .solver = solver,
         .joints = accuracy.joints,
-        .seed = static_cast<std::uint32_t>(overrides.seed)};
+        .seed = static_cast<std::uint32_t>(overrides.seed),
+        .threads = thread_count(overrides.threads.value_or(accuracy.threads.value_or(1)))};
     if (small) {
         // A number of sub-steps alone means exactly so many.
         def.substeps_max =

@@ -14,6 +14,9 @@ namespace plumbline::scene {
 /// What [accuracy] takes at most.
 inline constexpr int kMostSubsteps = 64;
 inline constexpr int kMostIterations = 1'000;
+inline constexpr int kMostThreads = 64;
+/// As many threads as the machine has cores, but one, and at most four.
+inline constexpr int kAutoThreads = 0;
 
 /// Settings that the command line may put over the scene's own.
 struct SimulationOverrides {
@@ -23,6 +26,7 @@ struct SimulationOverrides {
     std::optional<int> substeps_max{};
     std::optional<int> iterations{};
     std::vector<EffectFidelity> fidelity{};
+    std::optional<int> threads{};  ///< kAutoThreads: by the machine
     std::uint64_t seed{1};
 };
 

@@ -40,6 +40,7 @@ struct Accuracy {
     std::optional<int> iterations{};
     physics::Solver solver{physics::Solver::SmallStep};
     physics::JointMethod joints{physics::JointMethod::Direct};
+    std::optional<int> threads{};  ///< of small_step; kAutoThreads: by the machine
     // Preset "auto": what it is to keep to; at most one of them.
     std::optional<double> tolerance{};  ///< relative error to stay under
     std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s of simulated time

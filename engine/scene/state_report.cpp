@@ -111,6 +111,7 @@ void add_cost(JsonText& json, const CostHistory& costs) {
     const double phases_ms = costs.broad_ms + costs.narrow_ms + costs.solve_ms + costs.integrate_ms;
     json.begin_object();
     json.key("cpu_ms_total").number(costs.cpu_ms_total);
+    json.key("wall_ms_total").number(costs.wall_ms_total);
     json.key("step_ms").begin_object();
     json.key("median").number(step_ms.median);
     json.key("p95").number(step_ms.p95);
@@ -155,6 +156,7 @@ Totals totals_of(const Simulation& simulation) {
 void CostHistory::add(const physics::StepCost& cost) {
     step_ms.push_back(static_cast<float>(cost.total_ms));
     cpu_ms_total += cost.total_ms;
+    wall_ms_total += cost.wall_ms;
     broad_ms += cost.broad_ms;
     narrow_ms += cost.narrow_ms;
     solve_ms += cost.solve_ms;

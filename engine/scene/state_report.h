@@ -12,7 +12,8 @@ namespace plumbline::scene {
 /// Collects per-step costs while a run goes on: medians and percentiles come from here.
 struct CostHistory {
     std::vector<float> step_ms;
-    double cpu_ms_total{0};
+    double cpu_ms_total{0};   ///< of all threads
+    double wall_ms_total{0};  ///< on the clock
     double broad_ms{0};
     double narrow_ms{0};
     double solve_ms{0};

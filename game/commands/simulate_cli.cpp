@@ -3,10 +3,13 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/text/nearest_name.h"
+#include "engine/scene/accuracy.h"
 #include "game/command_line/option_ranges.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <charconv>
 
 namespace plumbline::game {
 
@@ -21,6 +24,20 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
     }
     throw CLI::ValidationError(fmt::format(
         "--solver: there is no \"{}\"{}; known: {}", name, nearest_words(name, known), list));
+}
+
+/// A number of threads, or "auto".
+int threads_from(const std::string& text) {
+    if (text == "auto") return scene::kAutoThreads;
+    int threads = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+    if (error == std::errc{} && end == text.data() + text.size() && threads >= 1 &&
+        threads <= scene::kMostThreads)
+        return threads;
+    throw CLI::ValidationError(
+        fmt::format("--threads: \"{}\"; expected auto or a whole number from 1 to {}",
+                    text,
+                    scene::kMostThreads));
 }
 
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
@@ -42,6 +59,10 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
         ->check(CLI::Range(1, 1'000));
     simulate->add_option("--iterations", options.iterations, "Solver iterations")
         ->check(CLI::Range(1, 10'000));
+    simulate->add_option_function<std::string>(
+        "--threads",
+        [&options](const std::string& text) { options.threads = threads_from(text); },
+        "Threads that share a step of small_step, or auto; the result is the same");
     simulate->add_option("--seed", options.seed, "Random seed");
     simulate
         ->add_option(

@@ -52,6 +52,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
                                          .step_hz = options.step_hz,
                                          .substeps = options.substeps,
                                          .iterations = options.iterations,
+                                         .threads = options.threads,
                                          .seed = options.seed}},
                           faults);
     if (!opened) {

@@ -19,6 +19,7 @@ struct SimulateOptions {
     std::optional<int> step_hz{};
     std::optional<int> substeps{};
     std::optional<int> iterations{};
+    std::optional<int> threads{};
     std::uint64_t seed{1};
     std::filesystem::path load_file;  ///< a saved game to go on from
     std::filesystem::path save_file;

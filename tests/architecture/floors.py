@@ -13,7 +13,7 @@ from sources import ROOT, finish, own_files
 
 # Module -> its folders, the lowest first. Modules without folders have none to order.
 FLOORS = {
-    "core": ["time", "process", "io", "text"],
+    "core": ["time", "threads", "process", "io", "text"],
     "assets": ["image", "model", "gltf", "mesh_files", "foreign"],
     "physics": ["collision/shape", "collision/narrow_phase", "collision/mesh", "collision", "collision/sweep", "dynamics/joint/block", "dynamics/joint", "dynamics/contact",
                 "dynamics/impact", "dynamics", "deformable", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",

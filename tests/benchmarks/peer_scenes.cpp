@@ -8,7 +8,7 @@
 //
 // --substeps 0 is what the scene says; "given" is what islands then got, mean over bodies..most.
 // --hz applies to ours, the bare loop runs at 60; --drop-in adds that loop with SmallStepDynamicsWorld in
-// it; --seconds cuts a scene short; --no-bare leaves the loop and the ratios out. Run it on an idle machine:
+// it; --threads 1,2 compares numbers of threads (ms/frame is the CPU time of all); --seconds cuts a scene short; --no-bare leaves the loop and the ratios out. Run it on an idle machine:
 // memory that others use slows both sides, but not alike.
 #include "engine/core/io/files.h"
 #include "tests/benchmarks/peer_scenes_run.h"
@@ -32,6 +32,7 @@ struct Options {
     std::vector<std::string> scenes;
     std::vector<physics::Solver> solvers{physics::Solver::SmallStep, physics::Solver::BulletSi};
     std::vector<int> substeps{0};
+    std::vector<int> threads{1};
     int hz{60};
     RunSettings run{};
     std::string csv;
@@ -87,6 +88,10 @@ bool read_value(std::string_view option, std::string_view value, Options& option
         options.substeps.clear();
         for (const std::string& count : split(value))
             options.substeps.push_back(number_in<int>(count));
+    } else if (option == "--threads") {
+        options.threads.clear();
+        for (const std::string& count : split(value))
+            options.threads.push_back(std::max(1, number_in<int>(count)));
     } else if (option == "--hz") {
         options.hz = std::max(1, number_in<int>(value));
     } else if (option == "--rounds") {
@@ -133,9 +138,13 @@ std::vector<Variant> variants_of(const Options& options) {
     if (options.drop_in) variants.push_back({.engine = "drop_in", .drop_in = true});
     for (const physics::Solver solver : options.solvers) {
         for (const int substeps : options.substeps) {
-            variants.push_back(
-                {.engine = std::string(physics::solver_name(solver)),
-                 .settings = {.solver = solver, .hz = options.hz, .substeps = substeps}});
+            for (const int threads : options.threads) {
+                variants.push_back({.engine = std::string(physics::solver_name(solver)),
+                                    .settings = {.solver = solver,
+                                                 .hz = options.hz,
+                                                 .substeps = substeps,
+                                                 .threads = threads}});
+            }
         }
     }
     return variants;
@@ -144,7 +153,7 @@ std::vector<Variant> variants_of(const Options& options) {
 using Row = std::vector<std::string>;
 
 Row head_of(const std::vector<VariantResult>& results) {
-    Row head{"engine", "S", "given", "hz", "ms/frame", "ratio", "min", "max"};
+    Row head{"engine", "threads", "S", "given", "hz", "wall ms", "ms/frame", "ratio", "min", "max"};
     const bool phases = std::ranges::any_of(
         results, [](const VariantResult& result) { return result.phases.has_value(); });
     if (phases) head.insert(head.end(), {"broad", "narrow", "solve", "integr", "other"});
@@ -159,9 +168,11 @@ Row row_of(const VariantResult& result, bool phases) {
                                      ? fmt::format("{}", variant.settings.substeps)
                                      : std::string("auto");
     Row row{variant.engine,
+            fmt::format("{}", variant.settings.threads),
             substeps,
             result.given ? fmt::format("{:.1f}..{}", result.given->mean, result.given->most) : "-",
             fmt::format("{}", variant.settings.hz),
+            fmt::format("{:.4f}", result.wall_ms_per_frame),
             fmt::format("{:.4f}", result.ms_per_frame)};
     if (result.ratio) {
         for (const double ratio : {*result.ratio, result.ratio_min, result.ratio_max})
@@ -182,7 +193,7 @@ Row row_of(const VariantResult& result, bool phases) {
 
 void print(const std::string& scene, const std::vector<VariantResult>& results) {
     std::vector<Row> rows{head_of(results)};
-    const bool phases = rows.front().size() > results.front().metrics.size() + 8;
+    const bool phases = rows.front().size() > results.front().metrics.size() + 10;
     for (const VariantResult& result : results) rows.push_back(row_of(result, phases));
     std::cout << fmt::format("\n{}\n", scene);
     for (const Row& row : rows) {
@@ -218,17 +229,20 @@ std::string csv_lines(const std::string& scene, const std::vector<VariantResult>
         }
         const Variant& variant = result.variant;
         for (const Metric& metric : metrics) {
-            lines += fmt::format("{},{},{},{:.5f},{:.3f},{},{:.6g},{},{:.3f},{:.3f}\n",
-                                 scene,
-                                 variant.engine,
-                                 variant.bare ? 1 : variant.settings.substeps,
-                                 result.ms_per_frame,
-                                 result.ratio.value_or(0),
-                                 metric.name,
-                                 metric.value,
-                                 variant.settings.hz,
-                                 result.ratio_min,
-                                 result.ratio_max);
+            lines +=
+                fmt::format("{},{},{},{:.5f},{:.3f},{},{:.6g},{},{:.3f},{:.3f}\n",
+                            scene,
+                            variant.settings.threads == 1
+                                ? variant.engine
+                                : fmt::format("{}-{}t", variant.engine, variant.settings.threads),
+                            variant.bare ? 1 : variant.settings.substeps,
+                            result.ms_per_frame,
+                            result.ratio.value_or(0),
+                            metric.name,
+                            metric.value,
+                            variant.settings.hz,
+                            result.ratio_min,
+                            result.ratio_max);
         }
     }
     return lines;

@@ -50,16 +50,20 @@ public:
             // Stretches end where samples are due, whatever the turns.
             const long due = stretch_ > 0 ? stretch_ - steps_ % stretch_ : last - steps_;
             const long steps = std::min(due, last - steps_);
-            const double start_s = thread_cpu_s();
+            const double start_s = wall_s();
+            const double start_cpu_s = thread_cpu_s();
+            helpers_ms_ = 0;
             for (long i = 0; i < steps; ++i) step();
-            const double took_s = thread_cpu_s() - start_s;
+            const double took_s = thread_cpu_s() - start_cpu_s + helpers_ms_ * 1e-3;
+            wall_s_ += wall_s() - start_s;
             steps_ += steps;
             cpu_s_ += took_s;
             look(asleep, took_s, steps == due);
         }
     }
 
-    double ms_per_frame() const { return cpu_s_ * 1e3 / (frames()); }
+    double ms_per_frame() const { return cpu_s_ * 1e3 / frames(); }
+    double wall_ms_per_frame() const { return wall_s_ * 1e3 / frames(); }
     Phases phases() const {
         Phases mean = sum_;
         mean.other -= mean.broad + mean.narrow + mean.solve + mean.integrate;
@@ -88,8 +92,10 @@ public:
 private:
     void step() {
         world_->step();
-        if (!counts_phases_) return;
+        if (world_->cost() == nullptr) return;
         const physics::StepCost& cost = *world_->cost();
+        helpers_ms_ += cost.helpers_ms;
+        if (!counts_phases_) return;
         sum_.broad += cost.broad_ms;
         sum_.narrow += cost.narrow_ms;
         sum_.solve += cost.solve_ms;
@@ -128,6 +134,8 @@ private:
     long stretch_{0};  ///< steps between samples; 0: none
     long steps_{0};
     double cpu_s_{0};
+    double wall_s_{0};
+    double helpers_ms_{0};  ///< CPU of other threads, of the stretch at hand
     bool counts_phases_{false};
     Phases sum_{};  ///< `other` holds the total
     bool watches_sleep_{false};
@@ -148,6 +156,7 @@ double median_of(std::vector<double> values) {
 /// What the rounds gave, by variant.
 struct Times {
     std::vector<double> ms;
+    std::vector<double> wall_ms;
     std::vector<double> ratios;
 };
 
@@ -172,6 +181,7 @@ Result<Done> run_round(const PeerScene& scene,
     }
     for (std::size_t i = 0; i < lanes.size(); ++i) {
         times[i].ms.push_back(lanes[i].ms_per_frame());
+        times[i].wall_ms.push_back(lanes[i].wall_ms_per_frame());
         if (results.front().variant.bare)
             times[i].ratios.push_back(lanes[i].ms_per_frame() / lanes.front().ms_per_frame());
         if (first) {
@@ -198,6 +208,7 @@ Result<std::vector<VariantResult>> run_scene(const PeerScene& scene,
     }
     for (std::size_t i = 0; i < results.size(); ++i) {
         results[i].ms_per_frame = median_of(times[i].ms);
+        results[i].wall_ms_per_frame = median_of(times[i].wall_ms);
         if (times[i].ratios.empty()) continue;
         results[i].ratio = median_of(times[i].ratios);
         results[i].ratio_min = std::ranges::min(times[i].ratios);

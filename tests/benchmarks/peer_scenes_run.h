@@ -41,7 +41,8 @@ struct SubstepsGiven {
 
 struct VariantResult {
     Variant variant;
-    double ms_per_frame{0};         ///< median of the rounds
+    double ms_per_frame{0};         ///< CPU of all threads, median of the rounds
+    double wall_ms_per_frame{0};    ///< likewise, on the clock
     std::optional<double> ratio{};  ///< to bare, median of the rounds
     double ratio_min{0};
     double ratio_max{0};
@@ -51,7 +52,7 @@ struct VariantResult {
 };
 
 /// In each round every variant is built afresh and all of them step through the scene together, a
-/// second of simulated time at a turn. Only steps are timed (CPU of this thread). Bodies are looked
+/// second of simulated time at a turn. Only steps are timed. Bodies are looked
 /// at in the first round only, between timed stretches; with `sleep` in every round.
 Result<std::vector<VariantResult>> run_scene(const PeerScene& scene,
                                              const SceneCase& the_case,

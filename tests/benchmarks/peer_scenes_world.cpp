@@ -88,7 +88,8 @@ public:
     explicit OurWorld(const PeerScene& scene) : scene_(scene) {}
 
     Result<Done> build(const OurSettings& settings) {
-        scene::SimulationOverrides overrides{.solver = settings.solver, .step_hz = settings.hz};
+        scene::SimulationOverrides overrides{
+            .solver = settings.solver, .step_hz = settings.hz, .threads = settings.threads};
         if (settings.substeps > 0) overrides.substeps = settings.substeps;
         auto built =
             scene::build_simulation(scene_.description, overrides, library_, scene_.surfaces);

@@ -90,6 +90,7 @@ struct OurSettings {
     physics::Solver solver{physics::Solver::BulletSi};
     int hz{60};
     int substeps{0};  ///< 0: as the scene says
+    int threads{1};
 };
 /// PhysicsWorld, filled by the scene builder. The scene must outlive it.
 Result<std::unique_ptr<SteppedWorld>> make_our_world(const PeerScene& scene,

@@ -52,6 +52,17 @@ def one_hash_at_any_frame_rate():
     run("simulate", "assets/scenes/playroom.toml", "--seconds", 2, "--expect-hash", "0" * 16, code=5)
 
 
+def one_hash_on_any_number_of_threads():
+    hashes = set()
+    for words in ([], ["--threads", 1], ["--threads", 2], ["--threads", 5], ["--threads", "auto"]):
+        state = folder / "s.json"
+        run("simulate", "bench/peers/rubble", "--seconds", 0.5, "--state", state, *words)
+        hashes.add(json.loads(state.read_text())["hash"])
+    assert len(hashes) == 1, hashes
+    for number in ("0", "65", "-1", "two", "1.5", ""):
+        run("simulate", CUBE, "--threads", number, code=2, says="expected auto or a whole number from 1 to 64")
+
+
 def usage():
     run("--version", says="plumbline 0.")
     run("--help", says="simulate")

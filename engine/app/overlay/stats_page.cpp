@@ -84,11 +84,13 @@ HudLine frame_line(const FrameReport& report) {
 }
 
 HudLine step_line(const scene::Simulation& simulation) {
-    HudLine line =
-        row(fmt::format("Physics   {:.2f} ms per step", simulation.physics.report().cost.total_ms),
-            "{:.0f} Hz x {}",
-            1.0 / simulation.step_s(),
-            most_substeps(simulation.physics));
+    const physics::StepCost& cost = simulation.physics.report().cost;
+    const std::string shared =
+        cost.helpers_ms > 0 ? fmt::format(", {:.2f} on the clock", cost.wall_ms) : "";
+    HudLine line = row(fmt::format("Physics   {:.2f} ms per step{}", cost.total_ms, shared),
+                       "{:.0f} Hz x {}",
+                       1.0 / simulation.step_s(),
+                       most_substeps(simulation.physics));
     line.tone = Tone::Head;
     return line;
 }

@@ -94,7 +94,7 @@ private:
         const ConvexContact found = collide(placed_a, placed_b, pair_.reach_m);
         if (found.count == 0) return;
         Manifold& manifold = manifold_of(part_a, part_b);
-        renew_points(manifold, {&placed_a, &placed_b}, found.points(), found.same_m, step_.again);
+        renew_points(manifold, {&placed_a, &placed_b}, found.points(), found.same_m, step_);
         keep_reachable(manifold);
     }
 
@@ -125,7 +125,7 @@ private:
             Manifold& manifold = mesh_is_a ? manifold_of(0, i) : manifold_of(i, 0);
             const ManifoldParts sides =
                 mesh_is_a ? ManifoldParts{nullptr, &part} : ManifoldParts{&part, nullptr};
-            renew_points(manifold, sides, found, same_m(parts[i].shape), step_.again);
+            renew_points(manifold, sides, found, same_m(parts[i].shape), step_);
             keep_reachable(manifold);
         }
     }
@@ -188,7 +188,7 @@ void renew_points(Manifold& manifold,
                   const ManifoldParts& parts,
                   std::span<const ConvexPoint> found,
                   Real same_m,
-                  bool again) {
+                  const CollideStep& step) {
     std::vector<ManifoldPoint>& points = manifold.points;
     const std::size_t old_count = points.size();
     points.reserve(old_count + found.size());
@@ -198,9 +198,9 @@ void renew_points(Manifold& manifold,
     for (ManifoldPoint& point : std::span(points).subspan(old_count)) {
         ManifoldPoint* const before = nearest_point(old, point, same_m);
         if (before != nullptr) {
-            point.age_steps = before->age_steps + 1;
+            point.age_steps = before->age_steps + (step.refined ? 0 : 1);
             point.load = before->load;
-            if (again) point.normal_Ns = before->normal_Ns;
+            if (step.again) point.normal_Ns = before->normal_Ns;
             // One that is found twice is a new point the second time.
             point.feature = std::exchange(before->feature, 0);
         }

@@ -20,12 +20,11 @@ struct ManifoldParts {
 };
 
 /// The manifold has these points from now on, in their order; those that were there before keep their features and
-/// loads, wherever in the list they were, if they moved by less than `same_m`. `again`: what they
-/// carried in this step so far stays too.
+/// loads, wherever in the list they were, if they moved by less than `same_m`.
 void renew_points(Manifold& manifold,
                   const ManifoldParts& parts,
                   std::span<const ConvexPoint> found,
                   Real same_m,
-                  bool again = false);
+                  const CollideStep& step = {});
 
 }  // namespace plumbline::physics

@@ -14,6 +14,7 @@ struct CollideStep {
     Real drop_m{0};                   ///< what gravity adds to any motion within the step, at most
     const PairRules* rules{nullptr};  ///< the world's
     bool again{false};                ///< within a step: what the points carried in it so far stays
+    bool refined{false};      ///< the points were found just before, with fewer impacts foretold
     bool only_struck{false};  ///< what moves as it did before the latest impact keeps its points
     bool turned_back{false};  ///< impacts have led bodies out of the boxes that the step began with
 };

@@ -1,6 +1,7 @@
 // Bodies that push each other, as one step finds them, and what solves them.
 #pragma once
 
+#include "engine/core/threads/team.h"
 #include "engine/physics/collision/manifold.h"
 #include "engine/physics/force_field.h"
 #include "engine/physics/physics_world.h"
@@ -42,7 +43,8 @@ struct IslandStep {
     int iterations{1};  ///< sweeps of bias and of relaxation per sub-step
     JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
-    StepCost* cost{nullptr};
+    std::uint64_t number{1};  ///< of the step, from 1
+    Team* team{nullptr};  ///< shares the work within the island; none: the caller alone solves it
     std::span<ForceField* const> fields{};
     double start_s{0};  ///< of the part of it at hand
     double part_s{0};   ///< of the part of it at hand; 0: it is solved at once
@@ -50,18 +52,25 @@ struct IslandStep {
     bool last{true};
 };
 
+/// What solving an island left besides motions, loads and states of joints.
+struct IslandResult {
+    IslandReport report{};
+    StepCost cost{};          ///< without times
+    bool found_again{false};  ///< its points: lists of manifolds are out of date
+};
+
 /// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean
-/// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched.
+/// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched. Solvers of different
+/// islands may work at once.
 class IslandSolver {
 public:
     IslandSolver();
     ~IslandSolver();
-    void begin_step();  ///< before the islands of a step
-    IslandReport solve(Island& island, const IslandStep& step);
+    /// Adds to `result`; its report is of the latest part of the step, with the sub-steps of all.
+    void solve(Island& island, const IslandStep& step, IslandResult& result);
     /// Solves the impacts of bodies that touch now, within no time: with restitution and friction, all points of a pair
     /// at once.
-    void solve_impacts(Island& island, const IslandStep& step);
-    void serialize(Archive& archive);
+    void solve_impacts(Island& island, const IslandStep& step, IslandResult& result);
 
 private:
     struct Impl;

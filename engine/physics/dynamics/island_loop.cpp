@@ -48,18 +48,25 @@ void apply_steady_forces(std::span<SolverBody> bodies,
                          FieldForces& fields,
                          const FieldTime& time,
                          Real h) {
-    for (SolverBody& body : bodies) {
-        body.velocity_increment_mps = body.acceleration_mps2 * h;
-        body.spin_increment_radps = body.angular_acceleration_radps2 * h;
-    }
+    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
+        for (const std::uint32_t i : numbers) {
+            SolverBody& body = bodies[i];
+            body.velocity_increment_mps = body.acceleration_mps2 * h;
+            body.spin_increment_radps = body.angular_acceleration_radps2 * h;
+        }
+    });
     contacts.warm_start();
     if (!fields.empty()) fields.push(bodies, time);
-    for (SolverBody& body : bodies) {
-        if (!body.movable()) continue;
-        body.velocity_mps =
-            body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
-        body.spin_radps = body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
-    }
+    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
+        for (const std::uint32_t i : numbers) {
+            SolverBody& body = bodies[i];
+            if (!body.movable()) continue;
+            body.velocity_mps =
+                body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
+            body.spin_radps =
+                body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
+        }
+    });
 }
 
 void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
@@ -82,12 +89,18 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
 
 /// Forces that act all through the sub-step move a body by half of what their speed would: flight
 /// is exact, sliding and rolling are second order.
-void move_bodies(std::span<SolverBody> bodies, bool gyroscopic_torque, Real h) {
+void move_bodies(std::span<SolverBody> bodies,
+                 const ContactSet& contacts,
+                 bool gyroscopic_torque,
+                 Real h) {
     const Real half = h / 2;
-    for (SolverBody& body : bodies) {
-        body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
-        turn_body(body, gyroscopic_torque, h);
-    }
+    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
+        for (const std::uint32_t i : numbers) {
+            SolverBody& body = bodies[i];
+            body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
+            turn_body(body, gyroscopic_torque, h);
+        }
+    });
 }
 
 /// Where a jointed body touches something, those of elastic joints lose spin as these say.
@@ -141,7 +154,8 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
                          .push_mps = settings.push_mps,
                          .bounce_mps = bounce_mps,
                          .restless_mps = bounce_mps * restless,
-                         .restless_jointed_mps = bounce_mps * kRestlessOfJointed});
+                         .restless_jointed_mps = bounce_mps * kRestlessOfJointed,
+                         .team = settings.team});
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
     impacts_.begin_step(contacts,
@@ -162,7 +176,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
         report_.row_solves += joint_system_.work().row_solves;
         report_.unresolved_joints = joint_system_.work().unresolved > 1;
     }
-    report_.row_solves += contacts.row_solves;
+    report_.row_solves += contacts.row_solves() + report_.impacts;
     return report_;
 }
 
@@ -183,7 +197,7 @@ LoopReport IslandLoop::run_impacts(const LoopSettings& settings, Real rest_s) {
     guard_.begin(bodies, contacts.constraints, joints, 0, h_);
     report_.impacts = impacts_.run();
     report_.braked_J = guard_.end(bodies, joints, {}, 0);
-    report_.row_solves = contacts.row_solves;
+    report_.row_solves = contacts.row_solves() + report_.impacts;
     return report_;
 }
 
@@ -198,7 +212,7 @@ void IslandLoop::substep(int number) {
     if (!joints.empty()) joint_system_.push_springs(h / 2);
     solve_velocities();
     if (!joints.empty()) joint_system_.begin_motion(!contacts.constraints.empty());
-    move_bodies(bodies, settings_.gyroscopic_torque, h_);
+    move_bodies(bodies, contacts, settings_.gyroscopic_torque, h_);
     if (!fields.empty()) fields.count(bodies);
     hold_along_axes(held, bodies);
     if (!joints.empty()) {

@@ -24,6 +24,7 @@ struct LoopSettings {
     Real push_mps{3};      ///< the fastest that penetration pushes bodies apart
     bool gyroscopic_torque{true};
     JointMethod joint_method{JointMethod::Direct};
+    Team* team{nullptr};  ///< none: the caller alone works
 };
 
 /// What the step showed of how hard the island is.

@@ -17,10 +17,9 @@ constexpr double kLeastShare = 1e-9;
 
 }  // namespace
 
-bool IslandParts::solve(Island& island, IslandStep& step, IslandReport& report) {
-    found_again_ = false;
-    report_ = {};
-    step.first = true;
+IslandResult IslandParts::solve(Island& island, const IslandStep& whole_step) {
+    IslandStep step = whole_step;
+    result_ = {};
     carriers_.clear();
     double now = 0;
     if (may_be_parted(island, step.step_s)) {
@@ -29,8 +28,7 @@ bool IslandParts::solve(Island& island, IslandStep& step, IslandReport& report) 
     }
     solve_span(island, step, {now, 1});
     carry_to(0);
-    report = report_;
-    return found_again_;
+    return result_;
 }
 
 void IslandParts::list_carriers(const Island& island) {
@@ -68,7 +66,7 @@ void IslandParts::solve_up_to_impacts(Island& island, IslandStep& step, double& 
             record->sweep.came_mps = record->motion->velocity_mps;
             record->sweep.came_radps = record->motion->spin_radps;
         }
-        solver_.solve_impacts(island, step);
+        solver_.solve_impacts(island, step, result_);
         find_points(island, 1 - now, true);  // as the bodies move from now on
         for (BodyRecord* record : island.bodies) {
             record->sweep.since = static_cast<Real>(now);
@@ -91,9 +89,7 @@ void IslandParts::solve_span(Island& island, IslandStep& step, const Span& span)
             carry_to(now);
             find_points(island, next - now);
         }
-        const int substeps = report_.substeps;
-        report_ = solver_.solve(island, step);
-        report_.substeps += substeps;
+        solver_.solve(island, step, result_);
         step.first = false;
         now = next;
     }
@@ -110,7 +106,7 @@ void IslandParts::find_points(Island& island, double share, bool only_struck) {
                            .only_struck = only_struck,
                            .turned_back = island.swept},
                           island.manifolds);
-    found_again_ = true;
+    result_.found_again = true;
 }
 
 void IslandParts::drop_points_ahead(Island& island, const Outlook& outlook) {
@@ -121,7 +117,7 @@ void IslandParts::drop_points_ahead(Island& island, const Outlook& outlook) {
     }
     if (!dropped) return;
     points_.list(island.bodies, island.manifolds);
-    found_again_ = true;
+    result_.found_again = true;
 }
 
 bool drop_points_ahead(const BodyRecord& record, const Outlook& outlook) {

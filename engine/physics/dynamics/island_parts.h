@@ -16,7 +16,7 @@
 
 namespace plumbline::physics {
 
-/// What finds the contact points of an island's bodies.
+/// What finds the contact points of an island's bodies: of several islands at once, if nothing that bounds them moves.
 class IslandPoints {
 public:
     virtual ~IslandPoints() = default;
@@ -38,8 +38,7 @@ public:
     IslandParts(IslandPoints& points, IslandSolver& solver) : points_(points), solver_(solver) {}
 
     void set_step(const CollideStep& step) { step_ = step; }
-    /// Whether its points have been found anew: lists of manifolds are out of date.
-    bool solve(Island& island, IslandStep& step, IslandReport& report);
+    IslandResult solve(Island& island, const IslandStep& step);
 
 private:
     /// A time of the step, in shares of it.
@@ -64,9 +63,8 @@ private:
     IslandSolver& solver_;
     Forecast forecast_;
     CollideStep step_{};
-    IslandReport report_{};
+    IslandResult result_{};
     std::vector<Carrier> carriers_;
-    bool found_again_{false};
 };
 
 }  // namespace plumbline::physics

@@ -135,7 +135,7 @@ struct IslandSolver::Impl {
 
     SubstepChoice choose(const Island& island, const IslandStep& step);
     void hold(const Island& island, const IslandStep& step, SubstepChoice& choice) const;
-    /// `at_impact`: with the distances at which the bodies touch.
+    /// After bridge.begin_island(). `at_impact`: with the distances at which the bodies touch.
     void gather(Island& island, const IslandStep& step, double h, bool at_impact = false);
 
     std::uint32_t index_of(const BodyRecord& record);
@@ -195,14 +195,6 @@ void IslandSolver::Impl::add_to_fields(const BodyRecord& record,
         body.acceleration_mps2 *= share;
     }
     loop.fields.add(record.small.row, record.id, record.small.fields);
-}
-
-void IslandSolver::serialize(Archive& archive) {
-    impl_->bridge.serialize(archive);
-}
-
-void IslandSolver::begin_step() {
-    impl_->bridge.begin_step();
 }
 
 /// What the contacts carried lately; a new one is taken to carry the heavier body.
@@ -294,7 +286,6 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     loop.clear();
     records.assign(1, nullptr);
     bounds.clear();
-    bridge.begin_island();
     loop.fields.begin_island(step.fields);
     for (BodyRecord* record : island.bodies) {
         if (record->traits.held_along_axes()) {
@@ -321,12 +312,13 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     for (const JointRecord* joint : island.joints) add_joint(*joint);
 }
 
-void IslandSolver::solve_impacts(Island& island, const IslandStep& step) {
+void IslandSolver::solve_impacts(Island& island, const IslandStep& step, IslandResult& result) {
     Impl& impl = *impl_;
     std::vector<ManifoldLoad>& loads = impl.kept_loads;
     loads.clear();
     for (const Manifold* manifold : island.manifolds) loads.push_back(manifold->load);
     const double h = step.step_s * kImpactShare;
+    impl.bridge.begin_island(step.number);
     impl.gather(island, step, h, true);
     const LoopReport report =
         impl.loop.run_impacts({.step_s = h,
@@ -337,12 +329,13 @@ void IslandSolver::solve_impacts(Island& island, const IslandStep& step) {
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.count_impulses(impl.loop.contacts);
     for (std::size_t i = 0; i < loads.size(); ++i) island.manifolds[i]->load = loads[i];
-    step.cost->row_solves += report.row_solves;
-    count(report, step.cost->interventions);
+    result.cost.row_solves += report.row_solves;
+    count(report, result.cost.interventions);
 }
 
-IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
+void IslandSolver::solve(Island& island, const IslandStep& step, IslandResult& result) {
     Impl& impl = *impl_;
+    impl.bridge.begin_island(step.number);
     if (step.first) impl.chosen = impl.choose(island, step);
     const SubstepChoice& choice = impl.chosen;
     const double part_s = step.part_s > 0 ? step.part_s : step.step_s;
@@ -359,21 +352,22 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kContactPush_mps,
                        .gyroscopic_torque = step.features.gyroscopic_torque,
-                       .joint_method = step.joints});
+                       .joint_method = step.joints,
+                       .team = step.team});
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
     if (is_parted) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));
     write_joints(impl.loop.joints, island.joints, part_s);
-    step.cost->row_solves += report.row_solves;
-    step.cost->belts += static_cast<std::uint32_t>(impl.loop.contacts.belts.size());
-    count(report, step.cost->interventions);
-    if (step.last) step.cost->contacts += impl.bridge.point_count();
-    return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
-            .bodies = static_cast<std::uint32_t>(island.bodies.size()),
-            .contacts = impl.bridge.point_count(),
-            .joints = static_cast<std::uint32_t>(island.joints.size()),
-            .substeps = substeps,
-            .reason = reason_name(choice.reason)};
+    result.cost.row_solves += report.row_solves;
+    result.cost.belts += static_cast<std::uint32_t>(impl.loop.contacts.belts.size());
+    count(report, result.cost.interventions);
+    if (step.last) result.cost.contacts += impl.bridge.point_count();
+    result.report = {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
+                     .bodies = static_cast<std::uint32_t>(island.bodies.size()),
+                     .contacts = impl.bridge.point_count(),
+                     .joints = static_cast<std::uint32_t>(island.joints.size()),
+                     .substeps = result.report.substeps + substeps,
+                     .reason = reason_name(choice.reason)};
 }
 
 }  // namespace plumbline::physics

@@ -1,7 +1,7 @@
 // Which bodies push each other: islands by union-find.
 #pragma once
 
-#include "engine/physics/dynamics/disjoint_sets.h"
+#include "engine/core/disjoint_sets.h"
 #include "engine/physics/dynamics/island.h"
 
 #include <cstdint>

@@ -11,6 +11,7 @@ namespace {
 
 /// An impact is handed on from body to body at most so often within a step.
 constexpr int kImpactRounds = 16;
+constexpr std::size_t kBodiesAtOnce = 8;
 
 /// The pairs with points, in order.
 void list_touching(std::span<BodyRecord* const> bodies, std::vector<Pair*>& touching) {
@@ -29,6 +30,13 @@ bool is_struck(const BodyRecord& record) {
                                 record.motion->spin_radps != record.sweep.came_radps);
 }
 
+/// Of two that are awake: dynamic ones before kinematic ones, then by id.
+bool comes_first(const BodyRecord& body, const PairLink& link) {
+    if (body.kind == BodyKind::Dynamic && body.id < link.other) return true;
+    const BodyRecord& other = partner(*link.pair, body);
+    return !other.small.awake || (body.kind == BodyKind::Dynamic && other.kind != body.kind);
+}
+
 void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
     for (Manifold& manifold : pair.manifolds) {
         if (!manifold.points.empty()) list.push_back(&manifold);
@@ -37,15 +45,17 @@ void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
 
 }  // namespace
 
-std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
+std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching, Team* team) {
     ++number_;
     tests_ = 0;
+    foretells_ = false;
     nearest_.begin_step();
     touching_pairs_.clear();
     impacted_.clear();
     if (nearest_.needed()) complete_crowds(bodies);
-    for (BodyRecord* record : bodies.dynamic()) visit(*record, bodies);
-    for (BodyRecord* record : bodies.kinematic()) visit(*record, bodies);
+    walkers_.assign(bodies.dynamic().begin(), bodies.dynamic().end());
+    walkers_.insert(walkers_.end(), bodies.kinematic().begin(), bodies.kinematic().end());
+    walk(bodies, crowded() ? nullptr : team);
     if (!visit_woken(bodies)) list_touching(bodies.dynamic(), touching_pairs_);
     for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
     return tests_;
@@ -56,11 +66,13 @@ bool PairWalk::visit_woken(AwakeBodies& bodies) {
     bool in_order = true;
     std::size_t visited = 0;
     do {
-        for (; visited < bodies.woken().size(); ++visited) {
-            BodyRecord& woken = *bodies.woken()[visited];
-            if (woken.crowd != nullptr) nearest_.complete(woken);
-            visit(woken, bodies);
+        walkers_.assign(bodies.woken().begin() + static_cast<std::ptrdiff_t>(visited),
+                        bodies.woken().end());
+        visited = bodies.woken().size();
+        for (BodyRecord* woken : walkers_) {
+            if (woken->crowd != nullptr) nearest_.complete(*woken);
         }
+        walk(bodies, nullptr);
         if (!impacted_.empty()) in_order = false;
     } while (spread_impacts(bodies) || visited < bodies.woken().size());
     return !bodies.admit_woken() && in_order;
@@ -112,34 +124,71 @@ void PairWalk::complete_crowds(const AwakeBodies& bodies) {
     }
 }
 
-void PairWalk::visit(BodyRecord& body, AwakeBodies& bodies) {
-    for (const PairLink& link : body.small.pairs) __builtin_prefetch(link.pair);
-    for (std::size_t i = 0; i < body.small.pairs.size();) {
-        Pair& pair = *body.small.pairs[i].pair;
-        if (pair.seen == number_ || keep(pair, bodies))
-            ++i;
-        else
-            engine_.drop(pair);
+/// Finds the points of the walkers' pairs, each once in a walk: at the body that comes to it first or, with others at work
+/// too, at the one that would. They depend on the two bodies alone; what they do to others follows in order.
+void PairWalk::walk(AwakeBodies& bodies, Team* team) {
+    if (walkers_.empty()) return;
+    const std::size_t ranges = (walkers_.size() + kBodiesAtOnce - 1) / kBodiesAtOnce;
+    if (found_.size() < ranges) found_.resize(ranges);
+    for (Found& found : found_) found.clear();
+    const auto look = [&](int, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const BodyRecord& body = *walkers_[i];
+            for (const PairLink& link : body.small.pairs) __builtin_prefetch(link.pair);
+            for (const PairLink& link : body.small.pairs) {
+                if (team == nullptr ? link.pair->seen != number_ : comes_first(body, link))
+                    look_at(*link.pair, found_[begin / kBodiesAtOnce]);
+            }
+        }
+    };
+    if (team != nullptr)
+        team->share(walkers_.size(), kBodiesAtOnce, look);
+    else
+        look(0, 0, walkers_.size());
+    for (const Found& found : found_) {
+        take_in(found, bodies);
+        for (Pair* pair : found.parted) engine_.drop(*pair);
     }
 }
 
-/// Visits the pair, once a walk. Whether it stays in the list of pairs.
-bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
+/// Later pairs see the impacts that earlier ones foretell.
+void PairWalk::take_in(const Found& found, AwakeBodies& bodies) {
+    tests_ += static_cast<std::uint32_t>(found.near.size());
+    if (!foretells_ && !found.strikes) {
+        touching_pairs_.insert(touching_pairs_.end(), found.touching.begin(), found.touching.end());
+        return;
+    }
+    CollideStep with_impacts = step_;
+    with_impacts.refined = true;
+    for (Pair* pair : found.near) {
+        if (foretells_ && predicted_mps(*pair) != pair->predicted_mps)
+            find_points(*pair, with_impacts);
+        if (!pair->touches) continue;
+        take_in(*pair, bodies);
+        touching_pairs_.push_back(pair);
+    }
+}
+
+void PairWalk::look_at(Pair& pair, Found& found) {
     pair.seen = number_;
     if (!boxes_overlap(pair)) {
         if (pair.touches) separate(pair);
-        return !boxes_are_far(pair);
+        if (boxes_are_far(pair)) found.parted.push_back(&pair);
+        return;
     }
-    if (!nearest_.takes_part(*pair.a, *pair.b)) return false;
-    collide_pair(pair, bodies);
-    if (pair.touches) touching_pairs_.push_back(&pair);
-    return true;
-}
-
-void PairWalk::collide_pair(Pair& pair, AwakeBodies& bodies) {
-    ++tests_;
+    if (!nearest_.takes_part(*pair.a, *pair.b)) {
+        found.parted.push_back(&pair);
+        return;
+    }
+    found.near.push_back(&pair);
     find_points(pair, step_);
     if (!pair.touches) return;
+    found.touching.push_back(&pair);
+    if (pair.reach_m > pair.base_m || sleeps(*pair.a) || sleeps(*pair.b)) found.strikes = true;
+}
+
+/// Touched bodies wake, and impacts are noted.
+void PairWalk::take_in(const Pair& pair, AwakeBodies& bodies) {
     if (sleeps(*pair.a)) bodies.wake(*pair.a);
     if (sleeps(*pair.b)) bodies.wake(*pair.b);
     const PairImpact impact = impact_of(pair, step_);
@@ -154,6 +203,7 @@ void PairWalk::note_impact(BodyRecord& record, const PredictedChange& impact) {
         glm::dot(impact.change_mps, impact.change_mps) <= glm::dot(known, known)) {
         return;
     }
+    foretells_ = true;
     if (known == Vec3{0, 0, 0}) impacted_.push_back(&record);
     record.small.predicted = impact;
 }
@@ -170,8 +220,11 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
                 if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
-                    nearest_.takes_part(*link.pair->a, *link.pair->b))
-                    collide_pair(*link.pair, bodies);
+                    nearest_.takes_part(*link.pair->a, *link.pair->b)) {
+                    ++tests_;
+                    find_points(*link.pair, step_);
+                    if (link.pair->touches) take_in(*link.pair, bodies);
+                }
             }
         }
     }

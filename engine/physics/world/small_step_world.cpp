@@ -13,6 +13,9 @@
 namespace plumbline::physics {
 namespace {
 
+/// Fewer are moved before helpers are awake.
+constexpr std::size_t kManyBodies = 64;
+
 /// Joints that hold the bodies and are not broken, by their ids.
 void list_joints(std::span<BodyRecord* const> bodies,
                  const JointTable& joints,
@@ -38,7 +41,8 @@ SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
       report_(parts.report),
       pairs_(parts.engine),
       sweep_(parts.joints),
-      island_parts_(pairs_, solver_) {
+      islands_(pairs_) {
+    if (parts.def.threads > 1) team_ = std::make_unique<Team>(parts.def.threads);
     take_rate();
 }
 
@@ -49,12 +53,12 @@ void SmallStepWorld::take_rate() {
     bodies.make_boxes_stale();  // they reach as far as a step takes a body
     const CollideStep step{.step_s = step_s_, .drop_m = drop_m_, .rules = parts_.def.pair_rules};
     pairs_.set_step(step);
-    island_parts_.set_step(step);
+    islands_.set_step(step);
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
     bodies.serialize(archive, scope);
-    solver_.serialize(archive);
+    islands_.serialize(archive);
 }
 
 // --- the step
@@ -70,6 +74,21 @@ void SmallStepWorld::step(const WorldFeatures& wanted,
     laps_.start();
     bodies.begin_step(parts_.joints);
     if (bodies.idle()) return;
+    // A caller's rules are no code of ours.
+    if (team_ == nullptr || bodies.dynamic().size() < kManyBodies || parts_.def.pair_rules)
+        return move(wanted, fields, want_contacts, nullptr);
+    const double before_ms = team_->helpers_cpu_ms();
+    {
+        const AwakeTeam awake(team_.get());
+        move(wanted, fields, want_contacts, team_.get());
+    }
+    report_.cost.helpers_ms = team_->helpers_cpu_ms() - before_ms;
+}
+
+void SmallStepWorld::move(const WorldFeatures& wanted,
+                          std::span<ForceField* const> fields,
+                          bool want_contacts,
+                          Team* team) {
     WorldFeatures features = wanted;
     features.gyroscopic_torque = find_turning(wanted);
     report_.cost.integrate_ms += laps_.lap_ms();
@@ -80,7 +99,7 @@ void SmallStepWorld::step(const WorldFeatures& wanted,
     for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
     parts_.engine.find_pairs();
     report_.cost.broad_ms += laps_.lap_ms();
-    report_.cost.pairs += pairs_.collide(bodies, touching_);
+    report_.cost.pairs += pairs_.collide(bodies, touching_, team);
     report_.cost.interventions.left_out_pairs = pairs_.left_out();
     report_.cost.narrow_ms += laps_.lap_ms();
 
@@ -88,7 +107,7 @@ void SmallStepWorld::step(const WorldFeatures& wanted,
     if (features.continuous_collision) look_ahead(features);
     list_joints(bodies.dynamic(), parts_.joints, joined_);
     builder_.build(bodies.dynamic(), touching_, joined_, ahead_, ties_of(fields));
-    solve_islands(features, fields);
+    solve_islands(features, fields, pairs_.crowded() ? nullptr : team);
     report_.cost.solve_ms += laps_.lap_ms();
     if (want_contacts) {
         after_solve();
@@ -156,23 +175,26 @@ FieldTies SmallStepWorld::ties_of(std::span<ForceField* const> fields) {
 }
 
 void SmallStepWorld::solve_islands(const WorldFeatures& features,
-                                   std::span<ForceField* const> fields) {
-    IslandStep step{.step_s = parts_.def.step_s,
-                    .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
-                    .substeps_least = parts_.def.substeps,
-                    .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
-                    .iterations = parts_.def.iterations,
-                    .joints = parts_.def.joints,
-                    .features = features,
-                    .cost = &report_.cost,
-                    .fields = fields};
-    solver_.begin_step();
+                                   std::span<ForceField* const> fields,
+                                   Team* team) {
+    const IslandStep step{.step_s = parts_.def.step_s,
+                          .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
+                          .substeps_least = parts_.def.substeps,
+                          .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
+                          .iterations = parts_.def.iterations,
+                          .joints = parts_.def.joints,
+                          .features = features,
+                          .team = team,
+                          .fields = fields};
     bool found_again = false;
-    for (Island& island : builder_.islands()) {
-        if (island_parts_.solve(island, step, report_.islands.emplace_back())) found_again = true;
-        if (restore_if_invalid(island, step_s_)) ++report_.cost.interventions.restored_islands;
-        for (BodyRecord* record : island.bodies)
-            report_.cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
+    for (const IslandResult& result : islands_.solve(builder_.islands(), step)) {
+        found_again = found_again || result.found_again;
+        report_.islands.push_back(result.report);
+        StepCost& cost = report_.cost;
+        cost.row_solves += result.cost.row_solves;
+        cost.contacts += result.cost.contacts;
+        cost.belts += result.cost.belts;
+        cost.interventions.add(result.cost.interventions);
     }
     if (found_again) pairs_.list_again(bodies, touching_);
 }

@@ -9,12 +9,13 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"
-#include "engine/physics/dynamics/island_parts.h"
+#include "engine/physics/dynamics/island_team.h"
 #include "engine/physics/dynamics/islands.h"
 #include "engine/physics/world/awake_bodies.h"
 #include "engine/physics/world/pair_walk.h"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,7 +51,13 @@ private:
     bool find_turning(const WorldFeatures& features);
     void refresh_box(BodyRecord& record);
     FieldTies ties_of(std::span<ForceField* const> fields);
-    void solve_islands(const WorldFeatures& features, std::span<ForceField* const> fields);
+    void solve_islands(const WorldFeatures& features,
+                       std::span<ForceField* const> fields,
+                       Team* team);
+    void move(const WorldFeatures& wanted,
+              std::span<ForceField* const> fields,
+              bool want_contacts,
+              Team* team);
     void look_ahead(const WorldFeatures& features);
     void move_free_bodies(const WorldFeatures& features);
     void stop_swept_bodies(std::span<BodyRecord* const> moved);
@@ -58,11 +65,11 @@ private:
 
     SmallStepParts parts_;
     StepReport& report_;
+    std::unique_ptr<Team> team_;  ///< of more than one thread
     PairWalk pairs_;
     JointSweep sweep_;
     IslandBuilder builder_;
-    IslandSolver solver_;
-    IslandParts island_parts_;
+    IslandTeam islands_;
     LapTimer laps_;
     double gravity_mps2_{0};
     Real step_s_{0};

@@ -161,12 +161,12 @@ void advance_small(WorldState& world, std::span<ForceField* const> fields, bool 
 }
 
 /// Phases are clocked on the wall, which is cheaper to read: what other programs took of it in between
-/// is not this step's.
-void count_own_share(StepReport& report, double wall_ms) {
+/// is not this step's, and what helpers did is.
+void count_own_share(StepReport& report) {
     StepCost& cost = report.cost;
     FeatureUse& use = report.use;
-    if (wall_ms <= cost.total_ms) return;
-    const double share = cost.total_ms / wall_ms;
+    if (cost.wall_ms <= cost.total_ms && cost.helpers_ms == 0) return;
+    const double share = cost.total_ms / cost.wall_ms;
     for (double* phase_ms : {&cost.broad_ms,
                              &cost.narrow_ms,
                              &cost.solve_ms,
@@ -228,9 +228,9 @@ void PhysicsWorld::step(std::span<ForceField* const> fields) {
             finished_events(world, std::move(world.gathered), std::move(report.contacts));
     }
     report.use.events = static_cast<std::uint32_t>(report.contacts.size());
-    const double wall_ms = wall.lap_ms();
-    report.cost.total_ms = own_time.ms();
-    count_own_share(report, wall_ms);
+    report.cost.wall_ms = wall.lap_ms();
+    report.cost.total_ms = own_time.ms() + report.cost.helpers_ms;
+    count_own_share(report);
 }
 
 }  // namespace plumbline::physics

@@ -129,6 +129,24 @@ void read_effects(TableReader& root, SceneDescription& scene) {
     table->finish();
 }
 
+/// A number of threads, or "auto".
+std::optional<int> read_threads(TableReader& table) {
+    const TomlNode* node = table.find("threads");
+    if (node == nullptr) return {};
+    if (const std::string* text = node->text(); text != nullptr && *text == "auto")
+        return kAutoThreads;
+    if (!std::holds_alternative<std::int64_t>(node->value)) {
+        table.error("threads",
+                    "{}; expected \"auto\" or a whole number from 1 to {}",
+                    found(*node),
+                    kMostThreads);
+        return {};
+    }
+    int threads = 1;
+    table.read("threads", threads, 1, kMostThreads);
+    return threads;
+}
+
 Accuracy read_accuracy(TableReader& table) {
     std::vector<std::string_view> names;
     for (const Preset& preset : presets()) names.push_back(preset.name);
@@ -156,6 +174,7 @@ Accuracy read_accuracy(TableReader& table) {
     table.read_choice("solver", solver, solver_names);
     accuracy.solver = physics::kSolvers[solver];
     table.read_choice("joints", accuracy.joints, {"direct", "iterative"});
+    accuracy.threads = read_threads(table);
     if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {
         table.error("substeps_max",
                     "{} is below substeps = {}; expected at least as many",

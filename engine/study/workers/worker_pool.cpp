@@ -2,6 +2,7 @@
 
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process.h"
+#include "engine/core/threads/team.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/study/workers/worker.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <thread>
 
 namespace plumbline::study {
 namespace {
@@ -172,7 +172,7 @@ Result<bool> run_jobs(std::span<const Job> jobs,
 }
 
 int default_workers() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return usable_cores();
 }
 
 }  // namespace plumbline::study

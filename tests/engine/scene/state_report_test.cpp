@@ -103,8 +103,13 @@ TEST_F(StateReport, HasEveryFieldOfTheContract) {
     EXPECT_EQ(state_["hash"], hex_of(run_->state_hash()));
     EXPECT_EQ(state_["effects"][0]["name"], "fog");
     EXPECT_TRUE(state_["joints"].empty());
-    for (const char* field :
-         {"cpu_ms_total", "step_ms", "phases_ms", "row_solves", "contacts_max", "interventions"}) {
+    for (const char* field : {"cpu_ms_total",
+                              "wall_ms_total",
+                              "step_ms",
+                              "phases_ms",
+                              "row_solves",
+                              "contacts_max",
+                              "interventions"}) {
         EXPECT_TRUE(state_["cost"].contains(field)) << field;
     }
     for (const char* field : {"broad", "narrow", "solve", "integrate", "other"}) {

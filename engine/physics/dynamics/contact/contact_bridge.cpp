@@ -52,12 +52,8 @@ void add_lane(ContactConstraint& constraint,
 
 }  // namespace
 
-void ContactBridge::begin_step() {
-    ++step_;
-    begin_island();
-}
-
-void ContactBridge::begin_island() {
+void ContactBridge::begin_island(std::uint64_t step) {
+    step_ = step;
     entries_.clear();
     manifolds_.clear();
 }

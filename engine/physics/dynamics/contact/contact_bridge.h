@@ -1,7 +1,6 @@
 // Manifolds as constraints of the small-step solver, and the impulses back.
 #pragma once
 
-#include "engine/core/io/archive.h"
 #include "engine/physics/collision/manifold.h"
 #include "engine/physics/dynamics/contact/contact_set.h"
 
@@ -22,10 +21,8 @@ struct ManifoldEnds {
 /// on) share what the pair's lost points carried.
 class ContactBridge {
 public:
-    /// Before the islands of a step.
-    void begin_step();
-    /// Before one island.
-    void begin_island();
+    /// Before an island of the step of this number; steps are numbered from 1.
+    void begin_island(std::uint64_t step);
     /// Appends the manifold's constraints; `h`: sub-step, s. The manifold stays where it is until
     /// write_back().
     void add(Manifold& manifold, ManifoldEnds ends, Real h, ContactSet& contacts);
@@ -36,9 +33,6 @@ public:
     void ease_loads(Real share);
     /// Of impacts, which leave no lasting load: into the points' sums over the step.
     void count_impulses(const ContactSet& contacts);
-    /// Which step the manifolds' loads are of.
-    void serialize(Archive& archive) { archive(step_); }
-
     /// What the pair goes on carrying between impacts; 0 while it is new.
     Real lasting_load_N(const Manifold& manifold) const;
     /// Contact points added since begin_island().
@@ -60,7 +54,7 @@ private:
 
     std::vector<Entry> entries_;
     std::vector<Manifold*> manifolds_;  ///< of the island
-    std::uint64_t step_{0};             ///< numbers the steps
+    std::uint64_t step_{0};             ///< its number
 };
 
 }  // namespace plumbline::physics

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "engine/physics/dynamics/contact/lanes.h"
-#include "engine/physics/dynamics/softness.h"
+#include "engine/physics/dynamics/joint/softness.h"
 #include "engine/physics/dynamics/solver_body.h"
 
 #include <cmath>
@@ -37,8 +37,9 @@ struct ContactConstraint {
     bool bounced{false};  ///< off in this sub-step: on its way out, at the speed it should have
     std::uint32_t belt{
         0};  ///< one more than b's number in ContactSet::belts; 0: b's surface moves as b does
-    Vec3 normal{0, 1, 0};        ///< from b to a
-    Vec3 start_normal{0, 1, 0};  ///< at the step's start
+    std::uint32_t row_solves{0};  ///< rows times sweeps of this step
+    Vec3 normal{0, 1, 0};         ///< from b to a
+    Vec3 start_normal{0, 1, 0};   ///< at the step's start
     /// A rounded side (sphere, capsule, side of a cylinder) is the sphere that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
     Real radius_a{0};

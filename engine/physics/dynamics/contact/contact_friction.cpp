@@ -131,18 +131,17 @@ FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     constraint.tangent_Ns[0] = next.x;
     constraint.tangent_Ns[1] = next.y;
     constraint.twist_Nms = twist;
-    const Vec3 change_a = force * a.inverse_mass;
-    const Vec3 change_b = force * b.inverse_mass;
-    a.velocity_mps += change_a;
-    b.velocity_mps -= change_b;
-    // Friction that is new in this sub-step acted in all of it: its half of the way. Joints would take that back.
-    if (!constraint.jointed) {
-        a.delta_position_m += change_a * (h_ / 2);
-        b.delta_position_m -= change_b * (h_ / 2);
-    }
-    a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
-    b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
-    row_solves += 3;
+    const auto push = [&](SolverBody& body, const Vec3& arm, Real sign) {
+        if (!body.movable()) return;
+        const Vec3 change = force * (sign * body.inverse_mass);
+        body.velocity_mps += change;
+        // Friction that is new in this sub-step acted in all of it: its half of the way. Joints would take that back.
+        if (!constraint.jointed) body.delta_position_m += change * (h_ / 2);
+        body.spin_radps += body.inverse_inertia * ((glm::cross(arm, force) + turning) * sign);
+    };
+    push(a, center_a, 1);
+    push(b, center_b, -1);
+    constraint.row_solves += 3;
     return {.changed_mps = glm::length(force) * constraint.slip_response[0], .is_much = changed};
 }
 
@@ -171,8 +170,8 @@ bool ContactSet::resist_rolling(ContactConstraint& constraint) {
     const Vec3 change = next - constraint.rolling_Nms;
     constraint.rolling_Nms = next;
     a.spin_radps += a.inverse_inertia * change;
-    b.spin_radps -= b.inverse_inertia * change;
-    row_solves += 3;
+    if (b.movable()) b.spin_radps -= b.inverse_inertia * change;
+    constraint.row_solves += 3;
     const Real limit = std::max(constraint.rolling_m, constraint.spinning_m) * load;
     const bool holds = glm::dot(next, next) < limit * limit * (1 - kMuch);
     return holds && glm::dot(change, change) > kMuch * kMuch * limit * limit;

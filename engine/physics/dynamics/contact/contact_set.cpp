@@ -1,22 +1,20 @@
 #include "engine/physics/dynamics/contact/contact_set.h"
 
 #include "engine/physics/dynamics/contact/point_impulses.h"
-#include "engine/physics/dynamics/substep_choice.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in never swings back
 /// Of normals and friction, where what sticks changed by much.
 constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
 /// What a sweep changes a speed by is much beyond this share of the bodies' own speed.
 constexpr Real kRestlessOfSpeed = 0.1_r;
-constexpr Real kCrowd = 2;  ///< stiffness that one sweep still solves stably: of bricks in a wall
 constexpr Real kOut_m = 1e-5_r;  ///< what bounced and will be no deeper is out
 
 /// R(q)^T v - v without the cancellation of the two terms.
@@ -67,101 +65,39 @@ void mark_depenetrated(SolverBody& a, SolverBody& b) {
 
 }  // namespace
 
-void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& settings) {
-    const auto& [h, spring_s, push_mps, bounce_mps, restless_mps, restless_jointed_mps] = settings;
-    bodies_ = bodies;
-    h_ = h;
-    push_mps_ = push_mps;
-    bounce_mps_ = bounce_mps;
-    restless_mps_ = restless_mps;
-    restless_jointed_mps_ = restless_jointed_mps;
-    row_solves = 0;
-    const Real stiff_hz = kContactFrequency / h;
-    between_movable_ = softness_of(stiff_hz, kContactDamping, h);
-    against_immovable_ = softness_of(2 * stiff_hz, kContactDamping / 2, h);
-    for (Softness* softness : {&between_movable_, &against_immovable_})
-        softness->bias_per_s *= h / spring_s;
-
-    measure_crowds();
-    for (std::size_t first = 0; first < constraints.size();) {
-        std::size_t end = first + 1;
-        while (end < constraints.size() && constraints[end].a == constraints[first].a &&
-               constraints[end].b == constraints[first].b)
-            ++end;
-        prepare_pair(std::span(constraints).subspan(first, end - first));
-        first = end;
-    }
-    order_.clear();
-    for (const bool immovable : {false, true}) {
-        for (std::uint32_t i = 0; i < constraints.size(); ++i) {
-            const ContactConstraint& of = constraints[i];
-            if (of.against_immovable == immovable) order_.push_back({i, of.a, of.b, of.jointed});
-        }
-    }
-}
-
-/// How stiffly constraints press each body along each direction, against its own mass: the sum of m n n^T / own mass over
-/// them, m the reduced mass of the two bodies. A cube in a tower of cubes has 1 along its axis.
-void ContactSet::measure_crowds() {
-    crowds_.assign(bodies_.size(), SymmetricMat3{});
-    for (const ContactConstraint& constraint : constraints) {
-        const Vec3& n = constraint.normal;
-        const Real of_a = bodies_[constraint.a].inverse_mass;
-        const Real of_b = bodies_[constraint.b].inverse_mass;
-        // What never moves hands no swing on.
-        const Real both = of_b > 0 ? of_a + of_b : 2 * of_a;
-        for (const std::uint32_t body : {constraint.a, constraint.b}) {
-            const Vec3 weighed = n * (bodies_[body].inverse_mass / both);
-            SymmetricMat3& crowd = crowds_[body];
-            crowd.xx += n.x * weighed.x;
-            crowd.xy += n.x * weighed.y;
-            crowd.xz += n.x * weighed.z;
-            crowd.yy += n.y * weighed.y;
-            crowd.yz += n.y * weighed.z;
-            crowd.zz += n.z * weighed.z;
-        }
-    }
-}
-
-/// Constraints that press the same two bodies apart along one direction are as stiff together as one alone, and those of a
-/// crowded body give way more: stiffer ones would swing from sweep to sweep.
-void ContactSet::prepare_pair(std::span<ContactConstraint> pair) {
-    for (ContactConstraint& constraint : pair) {
-        Real sharing = 0;
-        for (const ContactConstraint& other : pair) {
-            const Real cosine = std::max(glm::dot(constraint.normal, other.normal), Real{0});
-            sharing += cosine * cosine;
-        }
-        const SolverBody& a = bodies_[constraint.a];
-        const SolverBody& b = bodies_[constraint.b];
-        const bool both_move = a.movable() && b.movable();
-        for (const std::uint32_t body : {constraint.a, constraint.b}) {
-            if (!bodies_[body].movable()) continue;
-            const Real crowd = glm::dot(constraint.normal, crowds_[body] * constraint.normal);
-            sharing = std::max(sharing, crowd / kCrowd);
-        }
-        prepare(constraint, a, b, both_move ? between_movable_ : against_immovable_, sharing);
-    }
+std::uint64_t ContactSet::row_solves() const {
+    std::uint64_t sum = 0;
+    for (const ContactConstraint& constraint : constraints) sum += constraint.row_solves;
+    return sum;
 }
 
 void ContactSet::warm_start() {
-    for (const Place& place : order_) {
-        const ContactConstraint& constraint = constraints[place.constraint];
-        SolverBody& a = bodies_[constraint.a];
-        SolverBody& b = bodies_[constraint.b];
-        const Vec3 friction = constraint.tangent[0] * constraint.tangent_Ns[0] +
-                              constraint.tangent[1] * constraint.tangent_Ns[1];
-        const Vec3 impulse = constraint.normal * sum_of(constraint.normal_Ns) + friction;
-        const Vec3 turning = constraint.normal * constraint.twist_Nms + constraint.rolling_Nms;
-        const Vec3 torque_a = weighted_sum(constraint.angular_a, constraint.normal_Ns) +
-                              glm::cross(constraint.center_a, friction) + turning;
-        const Vec3 torque_b = weighted_sum(constraint.angular_b, constraint.normal_Ns) +
-                              glm::cross(constraint.center_b, friction) + turning;
-        a.velocity_increment_mps += impulse * a.inverse_mass;
-        a.spin_increment_radps += a.inverse_inertia * torque_a;
-        b.velocity_increment_mps -= impulse * b.inverse_mass;
-        b.spin_increment_radps -= b.inverse_inertia * torque_b;
+    for (std::size_t stage = 0; stage < order_.stages(); ++stage) {
+        const auto parts = order_.parts(stage);
+        share(parts.size(), 1, [&](int, std::size_t begin, std::size_t end) {
+            for (const auto& part : parts.subspan(begin, end - begin)) {
+                for (const SweepPlace& place : part) warm_start(constraints[place.constraint]);
+            }
+        });
     }
+}
+
+void ContactSet::warm_start(const ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    const Vec3 friction = constraint.tangent[0] * constraint.tangent_Ns[0] +
+                          constraint.tangent[1] * constraint.tangent_Ns[1];
+    const Vec3 impulse = constraint.normal * sum_of(constraint.normal_Ns) + friction;
+    const Vec3 turning = constraint.normal * constraint.twist_Nms + constraint.rolling_Nms;
+    const Vec3 torque_a = weighted_sum(constraint.angular_a, constraint.normal_Ns) +
+                          glm::cross(constraint.center_a, friction) + turning;
+    a.velocity_increment_mps += impulse * a.inverse_mass;
+    a.spin_increment_radps += a.inverse_inertia * torque_a;
+    if (!b.movable()) return;
+    const Vec3 torque_b = weighted_sum(constraint.angular_b, constraint.normal_Ns) +
+                          glm::cross(constraint.center_b, friction) + turning;
+    b.velocity_increment_mps -= impulse * b.inverse_mass;
+    b.spin_increment_radps -= b.inverse_inertia * torque_b;
 }
 
 /// Two spheres: the normal turns with the line between their centres.
@@ -258,10 +194,10 @@ Real ContactSet::solve_with_bias(ContactConstraint& constraint, Sweep which) {
     const Real changed_mps = change.changed_Ns * constraint.response[0][0];
     if (change.gained_Ns > 0) {
         hold_against(a, constraint.normal, change.gained_Ns * a.inverse_mass);
-        hold_against(b, -constraint.normal, change.gained_Ns * b.inverse_mass);
+        if (b.movable()) hold_against(b, -constraint.normal, change.gained_Ns * b.inverse_mass);
     } else {
         take_back(a, change.velocity_a, change.spin_a);
-        take_back(b, change.velocity_b, change.spin_b);
+        if (b.movable()) take_back(b, change.velocity_b, change.spin_b);
     }
     // Bodies that slid on what they stand on while they are pushed out of it would stay where they slid to.
     if (constraint.jointed && constraint.friction > 0)
@@ -312,7 +248,7 @@ bool ContactSet::relax_normal(ContactConstraint& constraint, Real& changed_mps) 
     }
     if (!solved) next = projected(constraint, wanted, Lanes{});
     changed_mps += apply_normal(constraint, a, b, next).changed_Ns * constraint.response[0][0];
-    row_solves += static_cast<std::uint64_t>(constraint.count);
+    constraint.row_solves += static_cast<std::uint32_t>(constraint.count);
     return true;
 }
 
@@ -330,18 +266,33 @@ bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) 
 /// `solve` returns by how much it changed the speed at a constraint.
 template <typename Solve>
 bool ContactSet::sweep(Sweep which, Solve solve) {
-    bool any = false;
     std::swap(was_restless_, is_restless_);
     is_restless_.assign(bodies_.size(), 0);
-    for (const Place& place : order_) {
+    std::atomic<bool> any{false};
+    for (std::size_t stage = 0; stage < order_.stages(); ++stage) {
+        const auto parts = order_.parts(stage);
+        share(parts.size(), 1, [&](int, std::size_t begin, std::size_t end) {
+            for (const auto& part : parts.subspan(begin, end - begin)) {
+                if (sweep_part(part, which, solve)) any.store(true, std::memory_order_relaxed);
+            }
+        });
+    }
+    return any;
+}
+
+template <typename Solve>
+bool ContactSet::sweep_part(std::span<const SweepPlace> part, Sweep which, Solve solve) {
+    bool any = false;
+    for (const SweepPlace& place : part) {
         if (which == Sweep::Restless && !place.jointed && was_restless_[place.a] == 0 &&
             was_restless_[place.b] == 0)
             continue;
         ContactConstraint& constraint = constraints[place.constraint];
         if (!is_much(solve(constraint), constraint)) continue;
         any = true;
-        for (const std::uint32_t body : {place.a, place.b})
-            is_restless_[body] = bodies_[body].movable() ? 1 : 0;
+        for (const std::uint32_t body : {place.a, place.b}) {
+            if (bodies_[body].movable()) is_restless_[body] = 1;
+        }
     }
     return any;
 }
@@ -349,7 +300,7 @@ bool ContactSet::sweep(Sweep which, Solve solve) {
 bool ContactSet::sweep_with_bias(Sweep which) {
     belt_ahead_s_ = h_ / 2;
     return sweep(which, [this, which](ContactConstraint& constraint) {
-        row_solves += static_cast<std::uint64_t>(constraint.count);
+        constraint.row_solves += static_cast<std::uint32_t>(constraint.count);
         return solve_with_bias(constraint, which);
     });
 }
@@ -363,10 +314,21 @@ bool ContactSet::relax(Sweep which) {
 }
 
 void ContactSet::end_substep() {
-    for (ContactConstraint& constraint : constraints) {
-        constraint.total_Ns += constraint.normal_Ns;
-        constraint.bounced = false;
-        // Who is pressed by what was pushed out moves as fast.
+    share(order_.cells(), 1, [this](int, std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            order_.each_part_of(cell, [this](const auto& part) {
+                for (const SweepPlace& place : part) {
+                    ContactConstraint& constraint = constraints[place.constraint];
+                    constraint.total_Ns += constraint.normal_Ns;
+                    constraint.bounced = false;
+                }
+            });
+        }
+    });
+    // Who is pressed by what was pushed out moves as fast.
+    const auto pushed = [](const SolverBody& body) { return body.depenetrated; };
+    if (std::ranges::none_of(bodies_, pushed)) return;
+    for (const ContactConstraint& constraint : constraints) {
         SolverBody& a = bodies_[constraint.a];
         SolverBody& b = bodies_[constraint.b];
         if ((a.depenetrated || b.depenetrated) && sum_of(constraint.normal_Ns) > 0)

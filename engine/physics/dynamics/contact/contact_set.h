@@ -5,8 +5,10 @@
 // speed out again and solves friction with impulses that only load, not push.
 #pragma once
 
+#include "engine/core/threads/team.h"
 #include "engine/physics/dynamics/contact/contact_constraint.h"
-#include "engine/physics/dynamics/softness.h"
+#include "engine/physics/dynamics/contact/sweep_order.h"
+#include "engine/physics/dynamics/joint/softness.h"
 
 #include <cstdint>
 #include <span>
@@ -21,6 +23,7 @@ struct SweepSettings {
     Real bounce_mps{1e-3_r};     ///< the slowest impact that restitution acts on
     Real restless_mps{1e-3_r};   ///< what a sweep changes a speed by at least for another to follow
     Real restless_jointed_mps{1e-5_r};  ///< the same of contacts of jointed bodies
+    Team* team{nullptr};                ///< none: the caller alone solves
 };
 
 /// What a solution of one constraint's friction did.
@@ -53,6 +56,13 @@ public:
 
     /// Masses and the order of the sweeps.
     void begin_step(std::span<SolverBody> bodies, const SweepSettings& settings);
+    /// Calls `work` with numbers of bodies, each once; on all threads where there are many.
+    template <typename Work>
+    void share_bodies(const Work& work) const {
+        share(order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) work(order_.bodies_of(cell));
+        });
+    }
     /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
     /// A sub-step's first sweeps are of all constraints; others of those that meet a body whose velocity the sweep before
@@ -67,16 +77,27 @@ public:
     /// Separations now; where a sphere touches, its arms follow it.
     void update_separations(ContactConstraint& constraint) const;
 
-    std::uint64_t row_solves{0};  ///< since begin_step()
+    std::uint64_t row_solves() const;  ///< since begin_step()
     Real substep_s() const { return h_; }
 
 private:
     void update_sphere_separations(ContactConstraint& constraint) const;
     void measure_crowds();
     void prepare_pair(std::span<ContactConstraint> pair);
+    template <typename Work>
+    void share(std::size_t count, std::size_t grain, const Work& work) const {
+        if (team_ != nullptr)
+            team_->share(count, grain, work);
+        else
+            work(0, std::size_t{0}, count);
+    }
+    void prepare_part(std::span<const SweepPlace> part);
     bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
     template <typename Solve>
     bool sweep(Sweep which, Solve solve);
+    template <typename Solve>
+    bool sweep_part(std::span<const SweepPlace> part, Sweep which, Solve solve);
+    void warm_start(const ContactConstraint& constraint);
     Real solve_with_bias(ContactConstraint& constraint, Sweep which);
     Real relax(ContactConstraint& constraint);
     bool relax_normal(ContactConstraint& constraint, Real& changed_mps);
@@ -84,15 +105,10 @@ private:
     bool resist_rolling(ContactConstraint& constraint);
 
     std::span<SolverBody> bodies_;
-    /// A constraint and what tells whether a sweep passes it by.
-    struct Place {
-        std::uint32_t constraint;
-        std::uint32_t a;
-        std::uint32_t b;
-        bool jointed;
-    };
-
-    std::vector<Place> order_;           ///< of constraints in a sweep
+    Team* team_{nullptr};
+    SweepOrder order_;
+    std::vector<std::size_t>
+        pairs_;  ///< where the constraints of each two bodies begin, and the end
     std::vector<SymmetricMat3> crowds_;  ///< of each body
     std::vector<std::uint8_t>
         is_restless_;  ///< 1: bodies whose velocity the latest sweep changed by much

@@ -107,8 +107,9 @@ inline NormalChange apply_normal(ContactConstraint& constraint,
     of.spin_a = a.inverse_inertia * weighted_sum(constraint.angular_a, change);
     of.spin_b = -(b.inverse_inertia * weighted_sum(constraint.angular_b, change));
     a.velocity_mps += of.velocity_a;
-    b.velocity_mps += of.velocity_b;
     a.spin_radps += of.spin_a;
+    if (!b.movable()) return of;  // others may read it at this moment
+    b.velocity_mps += of.velocity_b;
     b.spin_radps += of.spin_b;
     return of;
 }

@@ -383,7 +383,6 @@ std::uint32_t ImpactPass::run() {
         }
         if (!any) break;
     }
-    contacts_->row_solves += impacts;
     return impacts;
 }
 

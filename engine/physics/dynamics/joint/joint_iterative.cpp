@@ -1,6 +1,6 @@
 #include "engine/physics/dynamics/joint/joint_iterative.h"
 
-#include "engine/physics/dynamics/softness.h"
+#include "engine/physics/dynamics/joint/softness.h"
 
 #include <algorithm>
 #include <cmath>

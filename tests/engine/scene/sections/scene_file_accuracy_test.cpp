@@ -72,6 +72,26 @@ TEST_F(SceneFileTest, NumbersOfTheFileGoBeforeThePresets) {
     EXPECT_TRUE(outcome.faults.empty());
 }
 
+TEST_F(SceneFileTest, ThreadsAreANumberOrByTheMachine) {
+    const auto threads_of = [this](const char* text, std::optional<int> over = {}) {
+        const Outcome outcome = load(fmt::format("[accuracy]\n{}\n", text));
+        EXPECT_TRUE(outcome.scene.ok() && outcome.faults.empty()) << text;
+        return world_def(*outcome.scene, {.threads = over}).threads;
+    };
+    EXPECT_EQ(threads_of(""), 1);
+    EXPECT_EQ(threads_of("threads = 3"), 3);
+    EXPECT_EQ(threads_of("threads = 64"), 64);
+    EXPECT_GE(threads_of("threads = \"auto\""), 1);
+    EXPECT_EQ(threads_of("threads = 3", 2), 2);
+    EXPECT_GE(threads_of("threads = 64", kAutoThreads), 1);
+    for (const char* bad : {"0", "-1", "65", "1000", "2.5", "\"many\"", "true", "[2]"}) {
+        const Outcome outcome = load(fmt::format("[accuracy]\nthreads = {}\n", bad));
+        EXPECT_FALSE(outcome.scene.ok()) << bad;
+        ASSERT_EQ(outcome.faults.size(), 1U) << bad;
+        EXPECT_NE(outcome.faults.front().find("64"), std::string::npos) << outcome.faults.front();
+    }
+}
+
 TEST_F(SceneFileTest, NumbersDoNotCarryOverToTheOtherKindOfSolver) {
     const Outcome outcome = load("[accuracy]\nsubsteps = 4\nsubsteps_max = 8\niterations = 1\n");
     ASSERT_TRUE(outcome.scene.ok());

@@ -26,10 +26,10 @@ Manifold manifold_with(std::vector<ManifoldPoint> points) {
 }
 
 /// A step whose solver answers with `normal_Ns` at every point.
-void step(ContactBridge& bridge, Manifold& manifold, Real h, Real normal_Ns) {
+/// The step of this number.
+void step(ContactBridge& bridge, std::uint64_t number, Manifold& manifold, Real h, Real normal_Ns) {
     ContactSet contacts;
-    bridge.begin_step();
-    bridge.begin_island();
+    bridge.begin_island(number);
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, h, contacts);
     for (ContactConstraint& constraint : contacts.constraints) {
         constraint.normal_Ns = Lanes{};
@@ -43,11 +43,11 @@ void step(ContactBridge& bridge, Manifold& manifold, Real h, Real normal_Ns) {
 TEST(ContactBridge, WarmStartFitsSubstepsOfAnyLength) {
     ContactBridge bridge;
     Manifold manifold = manifold_with({point_at(0, 0), point_at(1, 0)});
-    step(bridge, manifold, kLong_s, 2);
+    step(bridge, 1, manifold, kLong_s, 2);
     EXPECT_EQ(manifold.points[0].load.normal_N, 8);  // 2 N s in 0.25 s
     EXPECT_EQ(manifold.points[0].normal_Ns, 2);
     ContactSet contacts;
-    bridge.begin_step();
+    bridge.begin_island(2);
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, kShort_s, contacts);
     ASSERT_EQ(contacts.constraints.size(), 1U);
     EXPECT_EQ(contacts.constraints[0].count, 2);
@@ -61,7 +61,7 @@ TEST(ContactBridge, WhatGivesWayToNothingIsABlocksB) {
     manifold.points[0].normal_world = {0, -1, 0};
     manifold.points[0].a.radius_m = 3;
     ContactSet contacts;
-    bridge.begin_step();
+    bridge.begin_island(1);
     bridge.add(manifold, {.a = kWorldBody, .b = 2, .a_moves = false}, kLong_s, contacts);
     const ContactConstraint& constraint = contacts.constraints.front();
     EXPECT_EQ(constraint.a, 2U);
@@ -77,14 +77,14 @@ TEST(ContactBridge, WhatGivesWayToNothingIsABlocksB) {
 TEST(ContactBridge, NewPointsShareWhatLostOnesCarried) {
     ContactBridge bridge;
     Manifold manifold = manifold_with({point_at(0, 0), point_at(1, 0)});
-    step(bridge, manifold, kLong_s, 2);  // 8 N each
+    step(bridge, 1, manifold, kLong_s, 2);  // 8 N each
     manifold.points.pop_back();
     for (const Real x : {2.0_r, 3.0_r}) {
         manifold.points.push_back(point_at(x, 0));
         manifold.points.back().age_steps = 0;
     }
     ContactSet contacts;
-    bridge.begin_step();
+    bridge.begin_island(2);
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, kLong_s, contacts);
     const Lanes& normal_Ns = contacts.constraints.front().normal_Ns;
     EXPECT_EQ(normal_Ns[0], 2);  // its own 8 N
@@ -95,10 +95,10 @@ TEST(ContactBridge, NewPointsShareWhatLostOnesCarried) {
 TEST(ContactBridge, AStepWithoutThePairForgetsItsLastingLoad) {
     ContactBridge bridge;
     Manifold manifold = manifold_with({point_at(0, 0)});
-    for (int i = 0; i < 12; ++i) step(bridge, manifold, kLong_s, 2);
-    bridge.begin_step();
+    for (std::uint64_t i = 1; i <= 12; ++i) step(bridge, i, manifold, kLong_s, 2);
+    bridge.begin_island(13);
     EXPECT_EQ(bridge.lasting_load_N(manifold), 8);
-    bridge.begin_step();
+    bridge.begin_island(14);
     EXPECT_EQ(bridge.lasting_load_N(manifold), 0);
 }
 
@@ -106,7 +106,7 @@ TEST(ContactBridge, MorePointsThanLanesMakeSeveralBlocks) {
     ContactBridge bridge;
     Manifold manifold;
     for (int i = 0; i < 9; ++i) manifold.points.push_back(point_at(static_cast<Real>(i), 0));
-    step(bridge, manifold, kLong_s, 2);
+    step(bridge, 1, manifold, kLong_s, 2);
     EXPECT_EQ(bridge.point_count(), 9U);
     for (const ManifoldPoint& point : manifold.points) EXPECT_EQ(point.load.normal_N, 8);
     EXPECT_EQ(manifold.load.normal_N, 72);

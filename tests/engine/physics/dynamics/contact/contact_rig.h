@@ -31,6 +31,18 @@ struct RigSurface {
     double spinning_m{0};
 };
 
+/// One point, `a` on top of `b`.
+inline ContactConstraint level_contact(std::uint32_t a, std::uint32_t b, Real separation_m) {
+    ContactConstraint constraint;
+    constraint.a = a;
+    constraint.b = b;
+    constraint.tangent[0] = {1, 0, 0};
+    constraint.tangent[1] = {0, 0, 1};
+    constraint.count = 1;
+    constraint.start_separation_m[0] = separation_m;
+    return constraint;
+}
+
 /// Steps an IslandLoop as its caller does: contacts found anew in every step, impulses kept.
 class ContactRig {
 public:

@@ -322,18 +322,6 @@ TEST_P(Resting, ASpinningBallStopsByItsSpinningResistance) {
     EXPECT_LT(glm::length(rig.spin(sphere)), 1e-4);
 }
 
-/// One point, `a` on top of `b`.
-ContactConstraint level_contact(std::uint32_t a, std::uint32_t b, Real separation_m) {
-    ContactConstraint constraint;
-    constraint.a = a;
-    constraint.b = b;
-    constraint.tangent[0] = {1, 0, 0};
-    constraint.tangent[1] = {0, 0, 1};
-    constraint.count = 1;
-    constraint.start_separation_m[0] = separation_m;
-    return constraint;
-}
-
 /// Cubes on each other, the lowest on the ground, that come down together.
 struct FallingStack {
     std::vector<SolverBody> bodies{1};
@@ -369,30 +357,9 @@ TEST(ContactSet, SweepsOfWhatIsRestlessStopAFallingStack) {
 TEST(ContactSet, WhatRestsIsSweptOnce) {
     FallingStack stack(5, 1e-5_r);
     EXPECT_FALSE(stack.contacts.sweep_with_bias(ContactSet::Sweep::All));
-    const std::uint64_t rows = stack.contacts.row_solves;
+    const std::uint64_t rows = stack.contacts.row_solves();
     EXPECT_FALSE(stack.contacts.sweep_with_bias(ContactSet::Sweep::Restless));
-    EXPECT_EQ(stack.contacts.row_solves, rows);
-}
-
-/// Four constraints between two bodies give way to a push as one does that is a quarter as often there.
-TEST(ContactSet, ConstraintsOfAPairShareItsStiffness) {
-    const auto pushed_mps = [](int constraints) {
-        std::vector<SolverBody> bodies(2);
-        bodies[1].inverse_mass = 1;
-        ContactSet contacts;
-        for (int i = 0; i < constraints; ++i)
-            contacts.constraints.push_back(level_contact(1, 0, -0.001_r));
-        contacts.begin_step(bodies, {});
-        for (int i = 0; i < 200; ++i) {
-            contacts.warm_start();
-            bodies[1].velocity_mps = bodies[1].velocity_increment_mps;
-            bodies[1].velocity_increment_mps = {0, 0, 0};
-            bodies[1].velocity_mps.y -= 0.01_r;
-            contacts.sweep_with_bias(ContactSet::Sweep::All);
-        }
-        return static_cast<double>(bodies[1].velocity_mps.y);
-    };
-    EXPECT_NEAR(pushed_mps(4), pushed_mps(1), 0.02 * std::abs(pushed_mps(1)) + 1e-5);
+    EXPECT_EQ(stack.contacts.row_solves(), rows);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "engine/physics/dynamics/disjoint_sets.h"
+#include "engine/core/disjoint_sets.h"
 
 #include "engine/core/random.h"
 
@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace plumbline::physics {
+namespace plumbline {
 namespace {
 
 TEST(DisjointSets, StartAlone) {
@@ -34,4 +34,4 @@ TEST(DisjointSets, AgreeWithRepaintingAndAreNamedByTheirSmallest) {
 }
 
 }  // namespace
-}  // namespace plumbline::physics
+}  // namespace plumbline

@@ -1,4 +1,4 @@
-// Union-find over small numbers. Knows nothing of Bullet.
+// Union-find over small numbers.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace plumbline::physics {
+namespace plumbline {
 
 /// Sets of the numbers 0 … n-1. The smallest number of a set stands for it, in whatever order sets
 /// were joined.
@@ -34,4 +34,4 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace plumbline::physics
+}  // namespace plumbline
