@@ -30,8 +30,8 @@ HudLine head(std::string text) {
 }
 
 template <class... Parts>
-HudLine row(std::string text, fmt::format_string<Parts...> value, Parts&&... parts) {
-    return {.text = std::move(text), .value = fmt::format(value, std::forward<Parts>(parts)...)};
+HudLine row(const std::string& text, fmt::format_string<Parts...> value, Parts&&... parts) {
+    return {.text = text, .value = fmt::format(value, std::forward<Parts>(parts)...)};
 }
 
 HudLine graph(std::span<const float> values, float budget, float least_top) {

@@ -208,6 +208,15 @@ void PairWalk::note_impact(BodyRecord& record, const PredictedChange& impact) {
     record.small.predicted = impact;
 }
 
+/// If a body of the pair will come farther than its points were looked for.
+void PairWalk::spread_impact(Pair& pair, AwakeBodies& bodies) {
+    if (!boxes_overlap(pair) || !knows_less(pair, step_) || !nearest_.takes_part(*pair.a, *pair.b))
+        return;
+    ++tests_;
+    find_points(pair, step_);
+    if (pair.touches) take_in(pair, bodies);
+}
+
 /// Finds points again, to a larger distance, for the pairs of bodies with new impacts. Whether any
 /// body had one.
 bool PairWalk::spread_impacts(AwakeBodies& bodies) {
@@ -218,14 +227,7 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
         std::sort(spreading_.begin(), spreading_.end(), by_id);
         for (BodyRecord* record : spreading_) record->small.predicted.spread = true;
         for (BodyRecord* record : spreading_) {
-            for (const PairLink& link : record->small.pairs) {
-                if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
-                    nearest_.takes_part(*link.pair->a, *link.pair->b)) {
-                    ++tests_;
-                    find_points(*link.pair, step_);
-                    if (link.pair->touches) take_in(*link.pair, bodies);
-                }
-            }
+            for (const PairLink& link : record->small.pairs) spread_impact(*link.pair, bodies);
         }
     }
     impacted_.clear();

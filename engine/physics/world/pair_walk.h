@@ -60,6 +60,7 @@ private:
     void take_in(const Pair& pair, AwakeBodies& bodies);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);
+    void spread_impact(Pair& pair, AwakeBodies& bodies);
 
     BulletEngine& engine_;
     NearestPairs& nearest_;

@@ -30,10 +30,7 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& s
 
     order_.build(constraints, bodies_);
     measure_crowds();
-    share(order_.cells(), 1, [this](int, std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell)
-            order_.each_part_of(cell, [this](const auto& part) { prepare_part(part); });
-    });
+    share_parts([this](std::span<const SweepPlace> part) { prepare_part(part); });
 }
 
 /// The constraints of two bodies are one after the other, in a part as in all.

@@ -314,15 +314,11 @@ bool ContactSet::relax(Sweep which) {
 }
 
 void ContactSet::end_substep() {
-    share(order_.cells(), 1, [this](int, std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            order_.each_part_of(cell, [this](const auto& part) {
-                for (const SweepPlace& place : part) {
-                    ContactConstraint& constraint = constraints[place.constraint];
-                    constraint.total_Ns += constraint.normal_Ns;
-                    constraint.bounced = false;
-                }
-            });
+    share_parts([this](std::span<const SweepPlace> part) {
+        for (const SweepPlace& place : part) {
+            ContactConstraint& constraint = constraints[place.constraint];
+            constraint.total_Ns += constraint.normal_Ns;
+            constraint.bounced = false;
         }
     });
     // Who is pressed by what was pushed out moves as fast.

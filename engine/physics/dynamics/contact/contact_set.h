@@ -91,6 +91,13 @@ private:
         else
             work(0, std::size_t{0}, count);
     }
+    /// Calls `work` with parts of the order, each once, at the thread that solves its cell.
+    template <typename Work>
+    void share_parts(const Work& work) const {
+        share(order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) order_.each_part_of(cell, work);
+        });
+    }
     void prepare_part(std::span<const SweepPlace> part);
     bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
     template <typename Solve>

@@ -65,7 +65,8 @@ TEST(Team, asleep_the_caller_does_all_in_one_range) {
 
 TEST(Team, wakes_again_and_again) {
     Team team(2);
-    for (int i = 0; i < 200; ++i) {
+    // A busy machine may leave the helper waiting for a while.
+    for (int i = 0; i < 200 || (team.helpers_cpu_ms() == 0 && i < 1'000'000); ++i) {
         const AwakeTeam awake(&team);
         EXPECT_EQ(visits_of(team, 100, 1), std::vector<int>(100, 1));
     }
