@@ -1,7 +1,6 @@
 #include "engine/core/threads/team.h"
 
-#include <pthread.h>
-#include <sched.h>
+#include <pthread.h>  // and what is in sched.h (POSIX)
 #include <unistd.h>
 
 #include <algorithm>
