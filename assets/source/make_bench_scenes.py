@@ -10,6 +10,17 @@ divisions and remainders only: the boxes are at the same places in every engine.
 """
 import pathlib
 
+MATERIALS = """[[material]]
+name = "box"
+base_color = [0.75, 0.42, 0.2]
+roughness = 0.7
+
+[[material]]
+name = "ground"
+base_color = [0.35, 0.4, 0.33]
+roughness = 0.95
+"""
+
 HEAD = """# {count} boxes fall and topple: the scene that other engines were measured with
 # (docs/PERFORMANCE.md). Written by assets/source/make_bench_scenes.py.
 
@@ -46,16 +57,7 @@ radius_m = 60
 inner_deg = 18
 outer_deg = 22
 
-[[material]]
-name = "box"
-base_color = [0.75, 0.42, 0.2]
-roughness = 0.7
-
-[[material]]
-name = "ground"
-base_color = [0.35, 0.4, 0.33]
-roughness = 0.95
-
+{materials}
 [[entity]]
 name = "ground"
 position_m = [0, -0.5, 0]
@@ -85,7 +87,7 @@ def position(i):
 
 
 def scene(count):
-    parts = [HEAD.format(count=count)]
+    parts = [HEAD.format(count=count, materials=MATERIALS)]
     for i in range(count):
         x, y, z = position(i)
         parts.append(f'[[entity]]\nname = "box_{i}"\nprefab = "box"\nposition_m = [{x:.9g}, {y:.9g}, {z:.9g}]\n')
@@ -112,16 +114,7 @@ shadow = {{ cascades = 1, size_px = 2048, distance_m = 60 }}
 [sky]
 skybox = "skies/garden"
 
-[[material]]
-name = "box"
-base_color = [0.75, 0.42, 0.2]
-roughness = 0.7
-
-[[material]]
-name = "ground"
-base_color = [0.35, 0.4, 0.33]
-roughness = 0.95
-
+{materials}
 [[entity]]
 name = "ground"
 position_m = [0, -0.5, 0]
@@ -148,7 +141,7 @@ spacing_m = [{apart_m:g}, 0.2, {apart_m:g}]
 
 
 def stacks(what, title, columns, rows, apart_m, from_m):
-    return STACKS.format(what=what, title=title, columns=columns, rows=rows, apart_m=apart_m, from_m=from_m,
+    return STACKS.format(materials=MATERIALS, what=what, title=title, columns=columns, rows=rows, apart_m=apart_m, from_m=from_m,
                          x=-apart_m * (columns - 1) / 2, z=-apart_m * (rows - 1) / 2)
 
 

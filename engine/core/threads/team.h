@@ -62,6 +62,15 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// Team::share(), or without a team the caller alone.
+template <typename Work>
+void share(Team* team, std::size_t count, std::size_t grain, const Work& work) {
+    if (team != nullptr)
+        team->share(count, grain, work);
+    else if (count > 0)
+        work(0, std::size_t{0}, count);
+}
+
 /// Has a team's helpers awake while it lives; null: nobody's.
 class AwakeTeam {
 public:

@@ -48,24 +48,17 @@ void apply_steady_forces(std::span<SolverBody> bodies,
                          FieldForces& fields,
                          const FieldTime& time,
                          Real h) {
-    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
-        for (const std::uint32_t i : numbers) {
-            SolverBody& body = bodies[i];
-            body.velocity_increment_mps = body.acceleration_mps2 * h;
-            body.spin_increment_radps = body.angular_acceleration_radps2 * h;
-        }
+    contacts.each_body([h](SolverBody& body) {
+        body.velocity_increment_mps = body.acceleration_mps2 * h;
+        body.spin_increment_radps = body.angular_acceleration_radps2 * h;
     });
     contacts.warm_start();
     if (!fields.empty()) fields.push(bodies, time);
-    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
-        for (const std::uint32_t i : numbers) {
-            SolverBody& body = bodies[i];
-            if (!body.movable()) continue;
-            body.velocity_mps =
-                body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
-            body.spin_radps =
-                body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
-        }
+    contacts.each_body([](SolverBody& body) {
+        if (!body.movable()) return;
+        body.velocity_mps =
+            body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
+        body.spin_radps = body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
     });
 }
 
@@ -89,17 +82,11 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
 
 /// Forces that act all through the sub-step move a body by half of what their speed would: flight
 /// is exact, sliding and rolling are second order.
-void move_bodies(std::span<SolverBody> bodies,
-                 const ContactSet& contacts,
-                 bool gyroscopic_torque,
-                 Real h) {
+void move_bodies(const ContactSet& contacts, bool gyroscopic_torque, Real h) {
     const Real half = h / 2;
-    contacts.share_bodies([&](std::span<const std::uint32_t> numbers) {
-        for (const std::uint32_t i : numbers) {
-            SolverBody& body = bodies[i];
-            body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
-            turn_body(body, gyroscopic_torque, h);
-        }
+    contacts.each_body([=](SolverBody& body) {
+        body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
+        turn_body(body, gyroscopic_torque, h);
     });
 }
 
@@ -212,7 +199,7 @@ void IslandLoop::substep(int number) {
     if (!joints.empty()) joint_system_.push_springs(h / 2);
     solve_velocities();
     if (!joints.empty()) joint_system_.begin_motion(!contacts.constraints.empty());
-    move_bodies(bodies, contacts, settings_.gyroscopic_torque, h_);
+    move_bodies(contacts, settings_.gyroscopic_torque, h_);
     if (!fields.empty()) fields.count(bodies);
     hold_along_axes(held, bodies);
     if (!joints.empty()) {

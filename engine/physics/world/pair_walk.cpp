@@ -141,10 +141,7 @@ void PairWalk::walk(AwakeBodies& bodies, Team* team) {
             }
         }
     };
-    if (team != nullptr)
-        team->share(walkers_.size(), kBodiesAtOnce, look);
-    else
-        look(0, 0, walkers_.size());
+    share(team, walkers_.size(), kBodiesAtOnce, look);
     for (const Found& found : found_) {
         take_in(found, bodies);
         for (Pair* pair : found.parted) engine_.drop(*pair);

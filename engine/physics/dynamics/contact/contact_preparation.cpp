@@ -30,7 +30,7 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& s
 
     order_.build(constraints, bodies_);
     measure_crowds();
-    share_parts([this](std::span<const SweepPlace> part) { prepare_part(part); });
+    each_part([this](std::span<const SweepPlace> part) { prepare_part(part); });
 }
 
 /// The constraints of two bodies are one after the other, in a part as in all.

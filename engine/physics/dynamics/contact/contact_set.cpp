@@ -72,14 +72,9 @@ std::uint64_t ContactSet::row_solves() const {
 }
 
 void ContactSet::warm_start() {
-    for (std::size_t stage = 0; stage < order_.stages(); ++stage) {
-        const auto parts = order_.parts(stage);
-        share(parts.size(), 1, [&](int, std::size_t begin, std::size_t end) {
-            for (const auto& part : parts.subspan(begin, end - begin)) {
-                for (const SweepPlace& place : part) warm_start(constraints[place.constraint]);
-            }
-        });
-    }
+    each_part_in_order([this](std::span<const SweepPlace> part) {
+        for (const SweepPlace& place : part) warm_start(constraints[place.constraint]);
+    });
 }
 
 void ContactSet::warm_start(const ContactConstraint& constraint) {
@@ -269,14 +264,9 @@ bool ContactSet::sweep(Sweep which, Solve solve) {
     std::swap(was_restless_, is_restless_);
     is_restless_.assign(bodies_.size(), 0);
     std::atomic<bool> any{false};
-    for (std::size_t stage = 0; stage < order_.stages(); ++stage) {
-        const auto parts = order_.parts(stage);
-        share(parts.size(), 1, [&](int, std::size_t begin, std::size_t end) {
-            for (const auto& part : parts.subspan(begin, end - begin)) {
-                if (sweep_part(part, which, solve)) any.store(true, std::memory_order_relaxed);
-            }
-        });
-    }
+    each_part_in_order([&](std::span<const SweepPlace> part) {
+        if (sweep_part(part, which, solve)) any.store(true, std::memory_order_relaxed);
+    });
     return any;
 }
 
@@ -314,7 +304,7 @@ bool ContactSet::relax(Sweep which) {
 }
 
 void ContactSet::end_substep() {
-    share_parts([this](std::span<const SweepPlace> part) {
+    each_part([this](std::span<const SweepPlace> part) {
         for (const SweepPlace& place : part) {
             ContactConstraint& constraint = constraints[place.constraint];
             constraint.total_Ns += constraint.normal_Ns;

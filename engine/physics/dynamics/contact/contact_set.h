@@ -56,11 +56,13 @@ public:
 
     /// Masses and the order of the sweeps.
     void begin_step(std::span<SolverBody> bodies, const SweepSettings& settings);
-    /// Calls `work` with numbers of bodies, each once; on all threads where there are many.
+    /// Calls `work` with each body once, on all threads where there are many.
     template <typename Work>
-    void share_bodies(const Work& work) const {
-        share(order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
-            for (std::size_t cell = begin; cell < end; ++cell) work(order_.bodies_of(cell));
+    void each_body(const Work& work) const {
+        share(team_, order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) {
+                for (const std::uint32_t i : order_.bodies_of(cell)) work(bodies_[i]);
+            }
         });
     }
     /// Adds the impulses that the constraints hold to the bodies' steady change.
@@ -84,17 +86,20 @@ private:
     void update_sphere_separations(ContactConstraint& constraint) const;
     void measure_crowds();
     void prepare_pair(std::span<ContactConstraint> pair);
+    /// Calls `work` with parts of the order, stage after stage; with those of one stage at once.
     template <typename Work>
-    void share(std::size_t count, std::size_t grain, const Work& work) const {
-        if (team_ != nullptr)
-            team_->share(count, grain, work);
-        else
-            work(0, std::size_t{0}, count);
+    void each_part_in_order(const Work& work) const {
+        for (std::size_t stage = 0; stage < order_.stages(); ++stage) {
+            const auto parts = order_.parts(stage);
+            share(team_, parts.size(), 1, [&](int, std::size_t begin, std::size_t end) {
+                for (const auto& part : parts.subspan(begin, end - begin)) work(part);
+            });
+        }
     }
     /// Calls `work` with parts of the order, each once, at the thread that solves its cell.
     template <typename Work>
-    void share_parts(const Work& work) const {
-        share(order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
+    void each_part(const Work& work) const {
+        share(team_, order_.cells(), 1, [&](int, std::size_t begin, std::size_t end) {
             for (std::size_t cell = begin; cell < end; ++cell) order_.each_part_of(cell, work);
         });
     }
@@ -114,8 +119,6 @@ private:
     std::span<SolverBody> bodies_;
     Team* team_{nullptr};
     SweepOrder order_;
-    std::vector<std::size_t>
-        pairs_;  ///< where the constraints of each two bodies begin, and the end
     std::vector<SymmetricMat3> crowds_;  ///< of each body
     std::vector<std::uint8_t>
         is_restless_;  ///< 1: bodies whose velocity the latest sweep changed by much
