@@ -2,6 +2,7 @@
 
 #include "engine/core/io/archive.h"
 #include "engine/core/time/stopwatch.h"
+#include "engine/core/time/trace_events.h"
 
 #include <map>
 
@@ -42,8 +43,10 @@ void EffectRuntime::refresh_row(std::size_t row, scene::Simulation& simulation) 
 
 template <class Hook>
 void EffectRuntime::each(Hook hook) {
-    for (Slot& slot : slots_) {
+    for (std::size_t row = 0; row < slots_.size(); ++row) {
+        Slot& slot = slots_[row];
         if (!slot.effect) continue;
+        const TraceSpan span(table_[row].name);
         const CpuTimer timer;
         hook(*slot.effect);
         slot.earlier.cpu_ms += timer.ms();

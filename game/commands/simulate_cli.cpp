@@ -75,6 +75,9 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     simulate->add_option("--trace",
                          options.trace_file,
                          "Write intermediate states as JSON lines, or as CSV to FILE.csv");
+    simulate->add_option("--trace-events",
+                         options.trace_events_file,
+                         "Write what each thread was busy with, for Perfetto or chrome://tracing");
     simulate->add_option("--every", options.trace_every_s, "Simulated time between trace lines")
         ->check(between(0.0, kLongestRun_s));
     simulate->add_option("--expect-hash",

@@ -6,6 +6,7 @@
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/frame_clock.h"
+#include "engine/core/time/trace_events.h"
 #include "engine/effects/advance.h"
 #include "engine/effects/saved_game.h"
 #include "engine/physics/totals.h"
@@ -103,11 +104,18 @@ public:
         if (!options_.trace_file.empty()) traced_ = trace_.open(options_.trace_file);
         if (traces_csv() && traced_) traced_ = trace_.write(scene::trace_csv_head());
         trace();
+        if (!options_.trace_events_file.empty() && traced_) {
+            traced_ = event_file_.open(options_.trace_events_file);
+            events_.emplace();
+        }
         if (options_.drive_fps)
             step_by_frames();
         else
             while (!done()) step();
-        return traced_ ? trace_.close() : traced_;
+        if (traced_) traced_ = trace_.close();
+        if (events_ && traced_)
+            traced_ = event_file_.write(events_->take() + std::string(TraceRecording::kEnd));
+        return traced_ ? event_file_.close() : traced_;
     }
 
     void step_by_frames() {
@@ -137,6 +145,7 @@ private:
         warning_log_.log_new(simulation_);
         costs_.add(simulation_.physics.report().cost);
         if (simulation_.steps() % steps_between_traces_ == 0) trace();
+        if (events_ && traced_) traced_ = event_file_.write(events_->take());
     }
 
     void trace() {
@@ -156,14 +165,17 @@ private:
     std::uint64_t steps_between_traces_{1};
     scene::CostHistory costs_;
     GrowingOutput trace_;
+    GrowingOutput event_file_;
+    std::optional<TraceRecording> events_;
     Result<Done> traced_{Done{}};
     double lost_s_{0.0};
 };
 
 /// Beside what a file may take of the standard output.
 std::ostream& summary_stream(const SimulateOptions& options) {
-    const bool taken =
-        is_standard_output(options.state_file) || is_standard_output(options.trace_file);
+    const bool taken = is_standard_output(options.state_file) ||
+                       is_standard_output(options.trace_file) ||
+                       is_standard_output(options.trace_events_file);
     return taken ? std::cerr : std::cout;
 }
 
@@ -201,7 +213,8 @@ void print_summary(std::ostream& out,
 }  // namespace
 
 ExitCode run_simulate(const SimulateOptions& options) {
-    for (const fs::path& file : {options.state_file, options.trace_file, options.save_file}) {
+    for (const fs::path& file :
+         {options.state_file, options.trace_file, options.trace_events_file, options.save_file}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
     }
     World world;

@@ -25,6 +25,7 @@ struct SimulateOptions {
     std::filesystem::path save_file;
     std::filesystem::path state_file;
     std::filesystem::path trace_file;
+    std::filesystem::path trace_events_file;
     double trace_every_s{0.0};  ///< 0: every step
     std::optional<std::string> expect_hash{};
     std::optional<double> drive_fps{};  ///< steps come through the frame clock at this frame rate

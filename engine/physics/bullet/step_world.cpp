@@ -1,5 +1,6 @@
 #include "engine/physics/bullet/step_world.h"
 
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/contact/pair_filter.h"
@@ -71,11 +72,17 @@ void StepWorld::createPredictiveContacts(btScalar) {}
 void StepWorld::performDiscreteCollisionDetection() {
     // Boxes are up to date: integrateTransforms() left them so, and whoever moves a body between
     // steps updates its box there.
-    computeOverlappingPairs();
-    if (nearest_.needed()) thin_crowds();
+    {
+        const TraceSpan span("broad phase");
+        computeOverlappingPairs();
+        if (nearest_.needed()) thin_crowds();
+    }
     report_.cost.broad_ms += laps_.lap_ms();
-    getDispatcher()->dispatchAllCollisionPairs(
-        getBroadphase()->getOverlappingPairCache(), getDispatchInfo(), getDispatcher());
+    {
+        const TraceSpan span("narrow phase");
+        getDispatcher()->dispatchAllCollisionPairs(
+            getBroadphase()->getOverlappingPairCache(), getDispatchInfo(), getDispatcher());
+    }
     report_.cost.narrow_ms += laps_.lap_ms();
 }
 
@@ -103,7 +110,10 @@ void StepWorld::thin_crowds() {
 }
 
 void StepWorld::solveConstraints(btContactSolverInfo& info) {
-    btDiscreteDynamicsWorld::solveConstraints(info);
+    {
+        const TraceSpan span("solve islands");
+        btDiscreteDynamicsWorld::solveConstraints(info);
+    }
     report_.cost.solve_ms += laps_.lap_ms();
     if (after_solve) {
         after_solve();

@@ -1,5 +1,6 @@
 #include "engine/physics/dynamics/island_loop.h"
 
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/dynamics/rotation.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ void apply_steady_forces(std::span<SolverBody> bodies,
                          FieldForces& fields,
                          const FieldTime& time,
                          Real h) {
+    const TraceSpan span("forces");
     contacts.each_body([h](SolverBody& body) {
         body.velocity_increment_mps = body.acceleration_mps2 * h;
         body.spin_increment_radps = body.angular_acceleration_radps2 * h;
@@ -83,6 +85,7 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
 /// Forces that act all through the sub-step move a body by half of what their speed would: flight
 /// is exact, sliding and rolling are second order.
 void move_bodies(const ContactSet& contacts, bool gyroscopic_torque, Real h) {
+    const TraceSpan span("move bodies");
     const Real half = h / 2;
     contacts.each_body([=](SolverBody& body) {
         body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
@@ -212,6 +215,7 @@ void IslandLoop::substep(int number) {
 }
 
 void IslandLoop::solve_velocities() {
+    const TraceSpan span("sweeps with bias");
     if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
     const bool both = !joints.empty() && !contacts.constraints.empty();
     // Contacts see what joints press on them from the first sweep on, as they see their own impulses of before.
@@ -226,6 +230,7 @@ void IslandLoop::solve_velocities() {
 }
 
 void IslandLoop::relax() {
+    const TraceSpan span("relax");
     // What the motion took to stay on the joints is no speed that contacts must stop.
     if (!joints.empty() && !contacts.constraints.empty()) joint_system_.solve_velocities();
     bool is_restless = true;

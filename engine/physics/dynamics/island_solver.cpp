@@ -1,4 +1,5 @@
 // From our records to the small-step loop, and back.
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/body_sweep.h"
@@ -283,6 +284,7 @@ void IslandSolver::Impl::hold(const Island& island,
 }
 
 void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h, bool at_impact) {
+    const TraceSpan span("gather");
     loop.clear();
     records.assign(1, nullptr);
     bounds.clear();
@@ -354,6 +356,7 @@ void IslandSolver::solve(Island& island, const IslandStep& step, IslandResult& r
                        .gyroscopic_torque = step.features.gyroscopic_torque,
                        .joint_method = step.joints,
                        .team = step.team});
+    const TraceSpan span("write back");
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
     if (is_parted) impl.bridge.ease_loads(static_cast<Real>(h * choice.substeps / step.step_s));

@@ -1,5 +1,6 @@
 #include "engine/physics/dynamics/island_team.h"
 
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/dynamics/body_motion.h"
 
 #include <algorithm>
@@ -70,6 +71,10 @@ void IslandTeam::solve_at_once(std::span<Island> islands,
 }
 
 IslandResult IslandTeam::solve_one(Island& island, const IslandStep& step, std::size_t member) {
+    TraceSpan span("island");
+    span.note("bodies", static_cast<std::int64_t>(island.bodies.size()));
+    span.note("manifolds", static_cast<std::int64_t>(island.manifolds.size()));
+    span.note("joints", static_cast<std::int64_t>(island.joints.size()));
     IslandStep own = step;
     if (island.manifolds.size() < kManyManifolds) own.team = nullptr;
     IslandResult result = members_[member]->parts.solve(island, own);
@@ -77,6 +82,7 @@ IslandResult IslandTeam::solve_one(Island& island, const IslandStep& step, std::
         ++result.cost.interventions.restored_islands;
     for (BodyRecord* record : island.bodies)
         result.cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
+    span.note("substeps", result.report.substeps);
     return result;
 }
 

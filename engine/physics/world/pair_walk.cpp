@@ -1,5 +1,6 @@
 #include "engine/physics/world/pair_walk.h"
 
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/contact/pair_boxes.h"
 #include "engine/physics/collision/pair_points.h"
 #include "engine/physics/world/body_record.h"
@@ -132,6 +133,7 @@ void PairWalk::walk(AwakeBodies& bodies, Team* team) {
     if (found_.size() < ranges) found_.resize(ranges);
     for (Found& found : found_) found.clear();
     const auto look = [&](int, std::size_t begin, std::size_t end) {
+        const TraceSpan span("points of pairs");
         for (std::size_t i = begin; i < end; ++i) {
             const BodyRecord& body = *walkers_[i];
             for (const PairLink& link : body.small.pairs) __builtin_prefetch(link.pair);

@@ -1,5 +1,6 @@
 #include "engine/physics/world/small_step_world.h"
 
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/dynamics/body_sweep.h"
@@ -93,20 +94,12 @@ void SmallStepWorld::move(const WorldFeatures& wanted,
     features.gyroscopic_torque = find_turning(wanted);
     report_.cost.integrate_ms += laps_.lap_ms();
 
-    for (BodyRecord* record : bodies.dynamic()) {
-        if (record->small.box_stale) refresh_box(*record);
-    }
-    for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
-    parts_.engine.find_pairs();
+    find_pairs();
     report_.cost.broad_ms += laps_.lap_ms();
-    report_.cost.pairs += pairs_.collide(bodies, touching_, team);
-    report_.cost.interventions.left_out_pairs = pairs_.left_out();
+    find_points(team);
     report_.cost.narrow_ms += laps_.lap_ms();
 
-    ahead_.clear();
-    if (features.continuous_collision) look_ahead(features);
-    list_joints(bodies.dynamic(), parts_.joints, joined_);
-    builder_.build(bodies.dynamic(), touching_, joined_, ahead_, ties_of(fields));
+    list_islands(features, fields);
     solve_islands(features, fields, pairs_.crowded() ? nullptr : team);
     report_.cost.solve_ms += laps_.lap_ms();
     if (want_contacts) {
@@ -123,9 +116,33 @@ void SmallStepWorld::move(const WorldFeatures& wanted,
     if (features.continuous_collision) stop_swept_bodies(bodies.dynamic());
     put_to_sleep(builder_.islands());
     report_.cost.integrate_ms += laps_.lap_ms();
-    for (BodyRecord* record : bodies.dynamic()) refresh_box(*record);
-    for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
+    refresh_boxes();
     report_.cost.broad_ms += laps_.lap_ms();
+}
+
+void SmallStepWorld::find_pairs() {
+    const TraceSpan span("broad phase");
+    for (BodyRecord* record : bodies.dynamic()) {
+        if (record->small.box_stale) refresh_box(*record);
+    }
+    for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
+    parts_.engine.find_pairs();
+}
+
+void SmallStepWorld::find_points(Team* team) {
+    TraceSpan span("narrow phase");
+    report_.cost.pairs += pairs_.collide(bodies, touching_, team);
+    report_.cost.interventions.left_out_pairs = pairs_.left_out();
+    span.note("pairs", report_.cost.pairs);
+}
+
+void SmallStepWorld::list_islands(const WorldFeatures& features,
+                                  std::span<ForceField* const> fields) {
+    const TraceSpan span("list islands");
+    ahead_.clear();
+    if (features.continuous_collision) look_ahead(features);
+    list_joints(bodies.dynamic(), parts_.joints, joined_);
+    builder_.build(bodies.dynamic(), touching_, joined_, ahead_, ties_of(fields));
 }
 
 /// Whether gyroscopic torque acts in this step.
@@ -157,6 +174,12 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
     parts_.engine.set_box(record, {low, high});
 }
 
+void SmallStepWorld::refresh_boxes() {
+    const TraceSpan span("boxes");
+    for (BodyRecord* record : bodies.dynamic()) refresh_box(*record);
+    for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
+}
+
 /// Notes which fields act on whom.
 FieldTies SmallStepWorld::ties_of(std::span<ForceField* const> fields) {
     tied_.clear();
@@ -177,6 +200,7 @@ FieldTies SmallStepWorld::ties_of(std::span<ForceField* const> fields) {
 void SmallStepWorld::solve_islands(const WorldFeatures& features,
                                    std::span<ForceField* const> fields,
                                    Team* team) {
+    const TraceSpan span("solve islands");
     const IslandStep step{.step_s = parts_.def.step_s,
                           .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
                           .substeps_least = parts_.def.substeps,
@@ -202,6 +226,7 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features,
 /// Which bodies may pass something unseen in this step, and what each meets first; that wakes.
 void SmallStepWorld::look_ahead(const WorldFeatures& features) {
     const Outlook outlook{0, parts_.def.step_s, features.gyroscopic_torque};
+    const TraceSpan span("look ahead");
     Forecast forecast;
     forecast.begin(outlook);
     const auto wake = [&](BodyRecord& record) {
@@ -233,6 +258,7 @@ void SmallStepWorld::look_ahead(const WorldFeatures& features) {
 
 void SmallStepWorld::move_free_bodies(const WorldFeatures& features) {
     const Vec3d gravity{parts_.def.gravity_mps2};
+    const TraceSpan span("free bodies");
     turning_.clear();
     for (BodyRecord* record : builder_.free_bodies()) {
         if (record->traits.angular_damping_factor != 1)
@@ -267,6 +293,7 @@ void SmallStepWorld::stop_swept_bodies(std::span<BodyRecord* const> moved) {
 }
 
 void SmallStepWorld::put_to_sleep(std::span<const Island> islands) {
+    const TraceSpan span("put to sleep");
     for (BodyRecord* record : builder_.free_bodies()) break_rest(*record);
     resting_.clear();
     for (const Island& island : islands) {

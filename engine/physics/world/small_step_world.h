@@ -48,7 +48,11 @@ public:
     std::function<void()> after_solve;  ///< velocities before are in the records
 
 private:
+    void find_pairs();
+    void find_points(Team* team);
     bool find_turning(const WorldFeatures& features);
+    void list_islands(const WorldFeatures& features, std::span<ForceField* const> fields);
+    void refresh_boxes();
     void refresh_box(BodyRecord& record);
     FieldTies ties_of(std::span<ForceField* const> fields);
     void solve_islands(const WorldFeatures& features,

@@ -1,5 +1,6 @@
 // One fixed step: who is taken out, what is stepped, which events are left.
 #include "engine/core/time/stopwatch.h"
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/field_forces.h"
@@ -200,6 +201,7 @@ void WorldState::isolate(BodyRecord& record) {
 
 void PhysicsWorld::step(std::span<ForceField* const> fields) {
     WorldState& world = *state_;
+    const TraceSpan span("step");
     const CpuTimer own_time;
     LapTimer wall;
     wall.start();

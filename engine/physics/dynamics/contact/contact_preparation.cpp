@@ -1,4 +1,5 @@
 // What the sweeps of a step need: masses, softness, and which constraints are solved at once.
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/dynamics/contact/contact_set.h"
 #include "engine/physics/dynamics/substep_choice.h"
 
@@ -13,6 +14,7 @@ constexpr Real kCrowd = 2;  ///< stiffness that one sweep still solves stably: o
 }  // namespace
 
 void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& settings) {
+    const TraceSpan span("prepare contacts");
     const auto& [h, spring_s, push_mps, bounce_mps, restless_mps, restless_jointed_mps, team] =
         settings;
     team_ = team;

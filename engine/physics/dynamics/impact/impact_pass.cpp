@@ -1,5 +1,7 @@
 #include "engine/physics/dynamics/impact/impact_pass.h"
 
+#include "engine/core/time/trace_events.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -372,6 +374,7 @@ std::vector<ImpactPass::Motion> ImpactPass::mixed(std::span<const Motion> from,
 }
 
 std::uint32_t ImpactPass::run() {
+    const TraceSpan span("impacts");
     std::uint32_t impacts = 0;
     for (int round = 0; round < kRounds; ++round) {
         bool any = false;

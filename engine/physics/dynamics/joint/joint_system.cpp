@@ -1,6 +1,7 @@
 #include "engine/physics/dynamics/joint/joint_system.h"
 
 #include "engine/core/assert.h"
+#include "engine/core/time/trace_events.h"
 #include "engine/physics/dynamics/joint/joint_direct.h"
 #include "engine/physics/dynamics/joint/joint_geometry.h"
 #include "engine/physics/dynamics/joint/joint_iterative.h"
@@ -187,6 +188,7 @@ void JointSystem::start(std::span<SolverBody> bodies,
                         std::span<SolverJoint> joints,
                         double substep_s,
                         JointMethod method) {
+    const TraceSpan span("prepare joints");
     Impl& impl = *impl_;
     JointGroup& group = impl.group;
     impl.work = {};
@@ -221,6 +223,7 @@ void JointSystem::push_springs(double duration_s) {
 }
 
 void JointSystem::solve_velocities() {
+    const TraceSpan span("joint velocities");
     Impl& impl = *impl_;
     impl.group.read_velocities();
     impl.adjust_springs();
@@ -279,6 +282,7 @@ void JointSystem::begin_motion(bool hold_steady_changes) {
 }
 
 void JointSystem::correct_positions() {
+    const TraceSpan span("joint positions");
     Impl& impl = *impl_;
     for (JointBody& body : impl.group.bodies) body.read_pose();
     impl.phase = Impl::Phase::Moved;

@@ -1,0 +1,115 @@
+#include "engine/core/time/trace_events.h"
+
+#include "engine/core/assert.h"
+#include "engine/core/time/stopwatch.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <deque>
+#include <iterator>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace plumbline {
+namespace {
+
+struct Span {
+    std::string_view name;
+    double start_s{0};
+    double end_s{0};
+    std::array<TraceSpan::Note, TraceSpan::kMostNotes> notes{};
+    std::size_t note_count{0};
+};
+
+void append(std::string& json, const Span& span, std::size_t thread, double from_s) {
+    fmt::format_to(
+        std::back_inserter(json),
+        ",\n{{\"name\":\"{}\",\"ph\":\"X\",\"ts\":{:.3f},\"dur\":{:.3f},\"pid\":1,\"tid\":{}",
+        span.name,
+        (span.start_s - from_s) * 1e6,
+        (span.end_s - span.start_s) * 1e6,
+        thread);
+    const auto notes = std::span(span.notes).first(span.note_count);
+    for (const TraceSpan::Note& note : notes) {
+        fmt::format_to(std::back_inserter(json),
+                       "{}\"{}\":{}",
+                       &note == notes.data() ? ",\"args\":{" : ",",
+                       note.key,
+                       note.value);
+    }
+    json += notes.empty() ? "}" : "}}";
+}
+
+}  // namespace
+
+struct TraceRecording::Impl {
+    double start_s{wall_s()};
+    std::mutex mutex;  ///< of the list; each thread's spans are its own
+    std::deque<std::vector<Span>> threads;
+    std::uint64_t number{0};
+    bool begun{false};
+
+    /// Of the calling thread.
+    std::vector<Span>& spans();
+
+    static std::atomic<Impl*> now;
+};
+
+std::atomic<TraceRecording::Impl*> TraceRecording::Impl::now{nullptr};
+
+std::vector<Span>& TraceRecording::Impl::spans() {
+    struct Place {
+        std::uint64_t recording{0};
+        std::vector<Span>* spans{nullptr};
+    };
+    thread_local Place place;
+    if (place.recording != number) {
+        const std::lock_guard lock(mutex);
+        place = {number, &threads.emplace_back()};
+    }
+    return *place.spans;
+}
+
+TraceRecording::TraceRecording() : impl_(std::make_unique<Impl>()) {
+    static std::atomic<std::uint64_t> recordings{0};
+    impl_->number = ++recordings;
+    impl_->spans();
+    const Impl* before = Impl::now.exchange(impl_.get());
+    PL_ASSERT(before == nullptr, "one recording at a time");
+}
+
+TraceRecording::~TraceRecording() {
+    Impl::now = nullptr;
+}
+
+std::string TraceRecording::take() {
+    std::string json;
+    if (!std::exchange(impl_->begun, true))
+        json = R"([{"name":"process_name","ph":"M","pid":1,"tid":0,"args":{"name":"plumbline"}})";
+    const std::lock_guard lock(impl_->mutex);
+    for (std::size_t thread = 0; thread < impl_->threads.size(); ++thread) {
+        for (const Span& span : impl_->threads[thread]) append(json, span, thread, impl_->start_s);
+        impl_->threads[thread].clear();
+    }
+    return json;
+}
+
+TraceSpan::TraceSpan(std::string_view name) : name_(name) {
+    if (TraceRecording::Impl::now.load(std::memory_order_acquire) != nullptr) start_s_ = wall_s();
+}
+
+TraceSpan::~TraceSpan() {
+    if (start_s_ == 0) return;
+    TraceRecording::Impl* recording = TraceRecording::Impl::now.load(std::memory_order_acquire);
+    if (recording != nullptr)
+        recording->spans().push_back({name_, start_s_, wall_s(), notes_, note_count_});
+}
+
+void TraceSpan::note(std::string_view key, std::int64_t value) {
+    if (start_s_ != 0 && note_count_ < kMostNotes) notes_[note_count_++] = {key, value};
+}
+
+}  // namespace plumbline
