@@ -16,8 +16,9 @@ ContactSide side_of(const BodyRecord& body,
                     const Vec3& on_surface,
                     const Vec3& outward) {
     const Transform& at = body.motion->at;
-    const RoundSide round =
-        part != nullptr ? round_side(*part, on_surface, outward) : RoundSide{.center = on_surface};
+    RoundSide round{.center = on_surface};
+    if (part != nullptr && part->shape.may_be_round())
+        round = round_side(*part, on_surface, outward);
     return {.radius_m = round.radius_m,
             .offset_m = round.center - at.position_m,
             .surface_m = on_surface,

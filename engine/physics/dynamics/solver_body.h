@@ -12,7 +12,7 @@ namespace plumbline::physics {
 struct SymmetricMat3 {
     Real xx{0}, xy{0}, xz{0}, yy{0}, yz{0}, zz{0};
 
-    Vec3 operator*(const Vec3& v) const {
+    [[gnu::always_inline]] Vec3 operator*(const Vec3& v) const {
         return {xx * v.x + xy * v.y + xz * v.z,
                 xy * v.x + yy * v.y + yz * v.z,
                 xz * v.x + yz * v.y + zz * v.z};
@@ -54,7 +54,9 @@ struct alignas(64) SolverBody {
 
     bool movable() const { return inverse_mass > 0; }
     double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one
-    Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
+    [[gnu::always_inline]] Vec3 velocity_at(const Vec3& arm) const {
+        return velocity_mps + glm::cross(spin_radps, arm);
+    }
     /// By how much a unit impulse at `arm` along `direction` changes the velocity there along it, 1/kg.
     Real inverse_mass_along(const Vec3& arm, const Vec3& direction) const {
         const Vec3 turn = glm::cross(arm, direction);

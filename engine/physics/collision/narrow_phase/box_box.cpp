@@ -141,18 +141,26 @@ struct Polygon {
 };
 
 /// Keeps what lies below `limit_m` along `direction` (Sutherland and Hodgman 1974).
-Polygon cut(const Polygon& from, const Vec3& direction, Real limit_m) {
-    Polygon kept;
-    for (int i = 0; i < from.count; ++i) {
-        const Vec3& here = from.at(i);
-        const Vec3& next = from.at(i + 1 == from.count ? 0 : i + 1);
-        const Real above = glm::dot(here, direction) - limit_m;
-        const Real next_above = glm::dot(next, direction) - limit_m;
-        if (above <= 0) kept.add(here);
-        if ((above < 0 && next_above > 0) || (above > 0 && next_above < 0))
-            kept.add(here + (next - here) * (above / (above - next_above)));
+void cut(Polygon& polygon, const Vec3& direction, Real limit_m) {
+    std::array<Real, 8> above;
+    bool any_above = false;
+    for (int i = 0; i < polygon.count; ++i) {
+        const Real above_m = glm::dot(polygon.at(i), direction) - limit_m;
+        above[static_cast<std::size_t>(i)] = above_m;
+        any_above = any_above || !(above_m <= 0);
     }
-    return kept;
+    if (!any_above) return;
+    Polygon kept;
+    for (int i = 0; i < polygon.count; ++i) {
+        const int next = i + 1 == polygon.count ? 0 : i + 1;
+        const Real here_m = above[static_cast<std::size_t>(i)];
+        const Real next_m = above[static_cast<std::size_t>(next)];
+        const Vec3& here = polygon.at(i);
+        if (here_m <= 0) kept.add(here);
+        if ((here_m < 0 && next_m > 0) || (here_m > 0 && next_m < 0))
+            kept.add(here + (polygon.at(next) - here) * (here_m / (here_m - next_m)));
+    }
+    polygon = kept;
 }
 
 /// The face of `box` that looks most against `direction`; corners from `origin`.
@@ -218,8 +226,8 @@ BoxContact meet_face(const OrientedBox& box,
     Polygon polygon = face_against(other, outward, box.center);
     for (int side = 1; side < 3; ++side) {
         const int k = (face + side) % 3;
-        polygon = cut(polygon, box.axes[k], box.half_m[k]);
-        polygon = cut(polygon, -box.axes[k], box.half_m[k]);
+        cut(polygon, box.axes[k], box.half_m[k]);
+        cut(polygon, -box.axes[k], box.half_m[k]);
     }
     Polygon near;
     std::array<Real, 8> distance_m{};

@@ -19,6 +19,11 @@ struct ConvexShape {
     Real half_height_m{
         0};  ///< of a capsule up to its caps' centres; a cone's origin is half-way up
     const HullGeometry* hull{nullptr};  ///< of a hull: outlives the shape
+
+    /// Whether some side of it is a sphere wherever it touches (round_side()).
+    bool may_be_round() const {
+        return kind == Kind::Sphere || kind == Kind::Capsule || kind == Kind::Cylinder;
+    }
 };
 
 /// A shape and where it is; for the length of a call.

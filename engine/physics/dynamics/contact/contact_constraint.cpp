@@ -7,16 +7,18 @@ namespace {
 
 using Matrix = LaneMatrix;
 
-/// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting.
-Matrix inverse_of(Matrix m) {
+/// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting. Rows from `kCount` on are those of
+/// the identity.
+template <int kCount>
+Matrix inverse_of_first(Matrix m) {
     Matrix inverse{};
     for (int i = 0; i < kLanes; ++i) inverse[static_cast<std::size_t>(i)][i] = 1;
-    for (int at = 0; at < kLanes; ++at) {
+    for (int at = 0; at < kCount; ++at) {
         const auto pivot = static_cast<std::size_t>(at);
         const Lanes scale = splat(1 / m[pivot][at]);
         m[pivot] *= scale;
         inverse[pivot] *= scale;
-        for (std::size_t row = 0; row < kLanes; ++row) {
+        for (std::size_t row = 0; row < kCount; ++row) {
             if (row == pivot) continue;
             const Lanes share = splat(m[row][at]);
             m[row] -= share * m[pivot];
@@ -26,30 +28,49 @@ Matrix inverse_of(Matrix m) {
     return inverse;
 }
 
-Matrix reciprocals_of(const Matrix& diagonal) {
-    Matrix inverse{};
-    for (int i = 0; i < kLanes; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        inverse[row][i] = 1 / diagonal[row][i];
-    }
-    return inverse;
+Matrix inverse_of(const Matrix& m, int count) {
+    if (count == 1) return inverse_of_first<1>(m);
+    if (count == 2) return inverse_of_first<2>(m);
+    return count == 3 ? inverse_of_first<3>(m) : inverse_of_first<4>(m);
+}
+
+/// As glm::cross() of each.
+LaneVec3 cross_lanes(const LaneVec3& vectors, const Vec3& with) {
+    return {vectors[1] * splat(with.z) - splat(with.y) * vectors[2],
+            vectors[2] * splat(with.x) - splat(with.z) * vectors[0],
+            vectors[0] * splat(with.y) - splat(with.x) * vectors[1]};
+}
+
+/// As SymmetricMat3 times each.
+LaneVec3 times(const SymmetricMat3& m, const LaneVec3& v) {
+    return {splat(m.xx) * v[0] + splat(m.xy) * v[1] + splat(m.xz) * v[2],
+            splat(m.xy) * v[0] + splat(m.yy) * v[1] + splat(m.yz) * v[2],
+            splat(m.xz) * v[0] + splat(m.yz) * v[1] + splat(m.zz) * v[2]};
+}
+
+LaneVec3 moved_by(const LaneVec3& vectors, const Vec3& by) {
+    return {vectors[0] + splat(by.x), vectors[1] + splat(by.y), vectors[2] + splat(by.z)};
+}
+
+Lanes lengths_of(const LaneVec3& vectors) {
+    const Lanes squares =
+        vectors[0] * vectors[0] + vectors[1] * vectors[1] + vectors[2] * vectors[2];
+    return Lanes{
+        std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3])};
 }
 
 void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
     const Real load = sum_of(constraint.normal_Ns);
-    Lanes weights{};
-    for (int i = 0; i < constraint.count; ++i)
-        weights[i] =
-            load > 0 ? constraint.normal_Ns[i] / load : 1 / static_cast<Real>(constraint.count);
+    const Lanes shares = load > 0 ? constraint.normal_Ns / splat(load)
+                                  : splat(1 / static_cast<Real>(constraint.count));
+    const Lanes weights = first_lanes(constraint.count) ? shares : splat(0);
     const Vec3 below = constraint.normal * constraint.radius_a;
     const Vec3 above = constraint.normal * constraint.radius_b;
     constraint.center_a = weighted_sum(constraint.offset_a, weights) - below;
     constraint.center_b = weighted_sum(constraint.offset_b, weights) + above;
-    constraint.twist_arm_m = 0;
-    for (int i = 0; i < constraint.count; ++i) {
-        constraint.twist_arm_m +=
-            weights[i] * glm::length(constraint.arm_a(i) - constraint.center_a);
-    }
+    const Lanes arms_m =
+        weights * lengths_of(moved_by(moved_by(constraint.offset_a, -below), -constraint.center_a));
+    constraint.twist_arm_m = arms_m[0] + arms_m[1] + arms_m[2] + arms_m[3];
     Vec3 turn_a[2];
     Vec3 turn_b[2];
     for (int t = 0; t < 2; ++t) {
@@ -78,19 +99,16 @@ void prepare(ContactConstraint& constraint,
     constraint.against_immovable = !a.movable() || !b.movable();
     constraint.carried = !constraint.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
     constraint.jointed = a.jointed || b.jointed;
-    LaneVec3 gain_a;
-    LaneVec3 gain_b;
-    for (int i = 0; i < kLanes; ++i) {
-        const bool used = i < constraint.count;
-        const Vec3 angular_a =
-            used ? glm::cross(constraint.arm_a(i), constraint.normal) : Vec3{0, 0, 0};
-        const Vec3 angular_b =
-            used ? glm::cross(constraint.arm_b(i), constraint.normal) : Vec3{0, 0, 0};
-        set_lane(constraint.angular_a, i, angular_a);
-        set_lane(constraint.angular_b, i, angular_b);
-        set_lane(gain_a, i, a.inverse_inertia * angular_a);
-        set_lane(gain_b, i, b.inverse_inertia * angular_b);
+    const LaneMask used_lanes = first_lanes(constraint.count);
+    const Vec3 below = constraint.normal * constraint.radius_a;
+    const Vec3 above = constraint.normal * constraint.radius_b;
+    constraint.angular_a = cross_lanes(moved_by(constraint.offset_a, -below), constraint.normal);
+    constraint.angular_b = cross_lanes(moved_by(constraint.offset_b, above), constraint.normal);
+    for (LaneVec3* angular : {&constraint.angular_a, &constraint.angular_b}) {
+        for (Lanes& axis : *angular) axis = used_lanes ? axis : splat(0);
     }
+    const LaneVec3 gain_a = times(a.inverse_inertia, constraint.angular_a);
+    const LaneVec3 gain_b = times(b.inverse_inertia, constraint.angular_b);
     const Real linear = a.inverse_mass + b.inverse_mass;
     Matrix soft_matrix;
     Matrix rigid_matrix;
@@ -101,8 +119,7 @@ void prepare(ContactConstraint& constraint,
         const Lanes of_b = dot_lanes(lane(constraint.angular_b, i), gain_b);
         Lanes own{};
         own[i] = 1;
-        constraint.response[row] =
-            used ? (first_lanes(constraint.count) ? splat(linear) + of_a + of_b : own) : own;
+        constraint.response[row] = used ? (used_lanes ? splat(linear) + of_a + of_b : own) : own;
         // share = A / (A + compliance) turns softness into the compliance of the row.
         constraint.compliance[i] =
             constraint.response[row][i] * sharing * soft.decay / std::max(soft.mass_share, 1e-6_r);
@@ -110,10 +127,8 @@ void prepare(ContactConstraint& constraint,
         soft_matrix[row][i] += constraint.compliance[i];
         rigid_matrix[row][i] *= 1 + kRedundancy * Real(constraint.count > 1);
     }
-    constraint.soft_mass =
-        constraint.count > 1 ? inverse_of(soft_matrix) : reciprocals_of(soft_matrix);
-    constraint.rigid_mass =
-        constraint.count > 1 ? inverse_of(rigid_matrix) : reciprocals_of(rigid_matrix);
+    constraint.soft_mass = inverse_of(soft_matrix, constraint.count);
+    constraint.rigid_mass = inverse_of(rigid_matrix, constraint.count);
     if (constraint.friction > 0) prepare_friction(constraint, a, b);
 }
 

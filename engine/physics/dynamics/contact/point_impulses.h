@@ -93,10 +93,10 @@ struct NormalChange {
     Vec3 spin_b{0, 0, 0};
 };
 
-inline NormalChange apply_normal(ContactConstraint& constraint,
-                                 SolverBody& a,
-                                 SolverBody& b,
-                                 Lanes next) {
+[[gnu::always_inline]] inline NormalChange apply_normal(ContactConstraint& constraint,
+                                                        SolverBody& a,
+                                                        SolverBody& b,
+                                                        Lanes next) {
     const Lanes change = next - constraint.normal_Ns;
     constraint.normal_Ns = next;
     NormalChange of{.gained_Ns = sum_of(change),
