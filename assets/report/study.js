@@ -44,7 +44,7 @@ function subjectHtml(subject, data, isNarrow) {
     frameTable(subject) + costTables(subject, metric) +
     (subject.metrics.length > 1 ? details(`The same for the ${metricName(subject, other)}`, costTables(subject, other)) : "") +
     figureHtml(stepPlot(subject), "step", `Error of the ${metricName(subject, metric)} against the step.`, isNarrow) +
-    verdictTable(subject) + peerTable(peers) + engineFailures(subject) + pointsTable(subject) + details("What was measured, and against what", measuredHtml(subject));
+    verdictTable(subject) + threadsTable(subject) + peerTable(peers) + engineFailures(subject) + pointsTable(subject) + details("What was measured, and against what", measuredHtml(subject));
 }
 
 function imageHtml(image, isNarrow) {

@@ -104,6 +104,19 @@ function engineFailures(subject) {
     `<li>${esc(`${engineName(point)}, ${point.settings_text}: ${point.status}: ${point.why}`)}</li>`).join("")}</ul>\n` : "";
 }
 
+/** What each number of threads takes of the cores and of the clock. */
+function threadsTable(subject) {
+  const points = subject.threads ?? [];
+  const first = points[0]?.cost.clock_ms_per_s;
+  const perFrame = ms_per_s => number(numberText(ms_per_s / FRAMES_PER_S));
+  const rows = points.map(({ threads, status, why, same, cost }) => row(status === "done"
+    ? [number(threads), perFrame(cost.ms_per_s_min), perFrame(cost.clock_ms_per_s), number((first / cost.clock_ms_per_s).toFixed(2)),
+       words(same ? "same" : "another")]
+    : [number(threads), number(DASH), number(DASH), number(DASH), `<td class="words red">${esc(`${status}: ${why}`)}</td>`]));
+  return rows.length ? `<h3>Threads</h3>\n` +
+    table(["#threads", "#CPU ms a frame", "#clock ms a frame", "#speed-up", "result"], rows) : "";
+}
+
 /** "3 of 40 runs failed: 2 exploded, 1 timed out." */
 function failureLine(subject) {
   const failed = subject.points.filter(point => point.status !== "done").map(point => point.status);

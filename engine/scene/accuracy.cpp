@@ -48,11 +48,11 @@ auto place_of_fidelity(Description& description, std::string_view effect) {
 /// One core is left to who draws, and to the rest of the machine; more threads than these were never measured.
 constexpr int kMostAutoThreads = 4;
 
+}  // namespace
+
 int thread_count(int asked) {
     return asked == kAutoThreads ? std::clamp(usable_cores() - 1, 1, kMostAutoThreads) : asked;
 }
-
-}  // namespace
 
 std::span<const Preset> presets() {
     return kPresets;

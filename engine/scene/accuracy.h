@@ -17,6 +17,8 @@ inline constexpr int kMostIterations = 1'000;
 inline constexpr int kMostThreads = 64;
 /// As many threads as the machine has cores, but one, and at most four.
 inline constexpr int kAutoThreads = 0;
+/// What `asked` means here: as it is, but for kAutoThreads.
+int thread_count(int asked);
 
 /// Settings that the command line may put over the scene's own.
 struct SimulationOverrides {

@@ -57,15 +57,18 @@ RunCost cost_of(std::span<const Lap> laps) {
     const Lap& fastest = *by_time.front();
     const auto per_s = [](const Lap& lap) { return lap.cpu_ms / lap.simulated_s; };
     const std::vector<float> frames_ms = frames_of(fastest);
+    double clock_ms_per_s = HUGE_VAL;
     double step_ms_max = HUGE_VAL;
     double frame_ms_max = HUGE_VAL;
     for (const Lap* lap : by_time) {
+        clock_ms_per_s = std::min(clock_ms_per_s, lap->clock_ms / lap->simulated_s);
         step_ms_max = std::min(step_ms_max, quantile_of(lap->step_ms, 1));
         frame_ms_max = std::min(frame_ms_max, quantile_of(frames_of(*lap), 1));
     }
     return {.ms_per_s_min = per_s(fastest),
             .ms_per_s_median = per_s(*by_time[by_time.size() / 2]),
             .ms_per_s_max = per_s(*by_time.back()),
+            .clock_ms_per_s = clock_ms_per_s,
             .repeats = static_cast<int>(by_time.size()),
             .step_ms_median = quantile_of(fastest.step_ms, 0.5),
             .step_ms_p99 = quantile_of(fastest.step_ms, 0.99),

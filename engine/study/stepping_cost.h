@@ -1,4 +1,4 @@
-// What stepping costs: CPU time on the thread's own clock, and work counted without a clock.
+// What stepping costs: CPU time of its threads, time on the clock, and work counted without a clock.
 #pragma once
 
 #include "engine/core/result.h"
@@ -13,7 +13,8 @@ namespace plumbline::study {
 
 /// One repeat of a run: all its steps.
 struct Lap {
-    double cpu_ms{0};
+    double cpu_ms{0};    ///< of all threads
+    double clock_ms{0};  ///< from the first to the last of them
     double simulated_s{0};
     double work{0};
     std::vector<float>
@@ -32,7 +33,10 @@ public:
     }
     /// After each step, which took the time since resume() or since the step before.
     void stepped(const physics::StepCost& cost, double step_s) {
-        lap_.step_ms.push_back(static_cast<float>(step_clock_.lap_ms()));
+        const double step_ms = step_clock_.lap_ms();
+        lap_.step_ms.push_back(static_cast<float>(step_ms));
+        lap_.clock_ms += step_ms;
+        lap_.cpu_ms += cost.helpers_ms;
         lap_.work += work_of(cost);
         lap_.simulated_s += step_s;
     }

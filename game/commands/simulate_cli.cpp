@@ -26,7 +26,6 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
         "--solver: there is no \"{}\"{}; known: {}", name, nearest_words(name, known), list));
 }
 
-/// A number of threads, or "auto".
 int threads_from(const std::string& text) {
     if (text == "auto") return scene::kAutoThreads;
     int threads = 0;

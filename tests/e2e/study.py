@@ -62,6 +62,17 @@ with open(folder / "one" / "findings.csv") as file:
     assert len(list(csv.DictReader(file))) == lines
 assert "<html" in (folder / "one" / "report.html").read_text()
 
+# Threads: each number does the same, in its own time.
+run("bench/boxes_100", "--threads", "1,2,auto", "--seconds", 0.3, "--out", folder / "threads", says="speed-up")
+with open(folder / "threads" / "findings.json") as file:
+    (subject,) = json.load(file)["subjects"]
+assert [point["threads"] for point in subject["threads"]][:2] == [1, 2]
+for point in subject["threads"]:
+    assert point["status"] == "done" and point["same"], point
+    assert point["cost"]["ms_per_s_min"] > 0 and point["cost"]["clock_ms_per_s"] > 0
+run("A01", "--threads", 2, code=2, says="--threads needs a scene")
+run("bench/boxes_100", "--threads", "0,2", code=2, says="expected auto or a whole number from 1 to 64")
+
 run("--list", says="A20 H=1 e=0.5")
 run("A2O", code=2, says="the nearest is")
 run("no_such_scene.toml", code=4, says="no_such_scene.toml")

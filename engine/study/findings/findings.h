@@ -40,11 +40,12 @@ template <>
 inline constexpr std::array<std::string_view, 6> kWords<RunStatus>{
     "done", "not finite", "exploded", "timed out", "crashed", "refused"};
 
-/// Thread CPU time of stepping only. All zero where nothing ran.
+/// CPU time of stepping only, of all its threads. All zero where nothing ran.
 struct RunCost {
     double ms_per_s_min{0};  ///< CPU ms per simulated second, least of the repeats
     double ms_per_s_median{0};
     double ms_per_s_max{0};
+    double clock_ms_per_s{0};  ///< ms on the clock per simulated second, least of the repeats
     int repeats{0};
     double step_ms_median{0};
     double step_ms_p99{0};
@@ -76,6 +77,15 @@ struct EnginePoint {
     RunStatus status{RunStatus::Done};  ///< Refused: it lacks what the scene needs
     std::string why;                    ///< of a status other than Done
     std::vector<double> errors;         ///< as a Point's
+    RunCost cost;
+};
+
+/// The scene at its own rate with a number of threads.
+struct ThreadsPoint {
+    int threads{1};
+    RunStatus status{RunStatus::Done};
+    std::string why;   ///< of a status other than Done
+    bool same{false};  ///< every sampled pose is that of the first of the list, bit by bit
     RunCost cost;
 };
 
@@ -115,7 +125,8 @@ struct Subject {
     double uncertainty{0};                ///< of every error, from the reference's own
     std::vector<FloorPoint> euler_floor;  ///< of the first metric; empty where it has no meaning
     std::vector<Point> points;
-    std::vector<EnginePoint> engines{};  ///< where they were asked for
+    std::vector<EnginePoint> engines{};   ///< where they were asked for
+    std::vector<ThreadsPoint> threads{};  ///< likewise
     std::vector<Convergence> verdicts;
     std::vector<std::string>
         notes;  ///< "chaotic: 16 perturbed copies", "reference converged to 1e-6"

@@ -12,7 +12,8 @@ constexpr std::string_view kCsvHeading =
     "subject,metric,scale,tier,solver,step_hz,substeps,substeps_max,iterations,precision,status,"
     "why,"
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
-    "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes\n";
+    "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes,"
+    "clock_ms_per_s\n";
 
 std::string line_of(const Subject& subject,
                     const Metric& metric,
@@ -35,7 +36,7 @@ std::string line_of(const Subject& subject,
                                         word_of(point.status),
                                         csv_field(point.why));
     const std::string found = std::isfinite(error) ? fmt::format("{}", error) : std::string();
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        what,
                        how,
                        found,
@@ -50,7 +51,8 @@ std::string line_of(const Subject& subject,
                        cost.frame_ms_p99,
                        cost.frame_ms_max,
                        cost.bodies,
-                       cost.peak_bytes);
+                       cost.peak_bytes,
+                       cost.clock_ms_per_s);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ void fields(const auto& field, Like<RunCost> auto& cost) {
     field("ms_per_s_min", cost.ms_per_s_min);
     field("ms_per_s_median", cost.ms_per_s_median);
     field("ms_per_s_max", cost.ms_per_s_max);
+    field("clock_ms_per_s", cost.clock_ms_per_s);
     field("repeats", cost.repeats);
     field("step_ms_median", cost.step_ms_median);
     field("step_ms_p99", cost.step_ms_p99);
@@ -59,6 +60,14 @@ void fields(const auto& field, Like<EnginePoint> auto& point) {
     field("status", point.status);
     field("why", point.why);
     field("errors", point.errors);
+    field("cost", point.cost);
+}
+
+void fields(const auto& field, Like<ThreadsPoint> auto& point) {
+    field("threads", point.threads);
+    field("status", point.status);
+    field("why", point.why);
+    field("same", point.same);
     field("cost", point.cost);
 }
 
@@ -94,6 +103,7 @@ void fields(const auto& field, Like<Subject> auto& subject) {
     field("euler_floor", subject.euler_floor);
     field("points", subject.points);
     field("engines", subject.engines);
+    field("threads", subject.threads);
     field("verdicts", subject.verdicts);
     field("notes", subject.notes);
 }

@@ -9,6 +9,7 @@ void fields(const auto& field, Like<SceneRun> auto& run) {
     field("start", run.start);
     field("setting", run.setting);
     field("engine", run.engine);
+    field("threads", run.threads);
     field("moments", run.moments);
     field("copies", run.copies);
     field("seed", run.seed);

@@ -90,13 +90,19 @@ private:
 
     void step() {
         const CpuTimer timer;
+        LapTimer clock;
+        clock.start();
+        double helpers_ms = 0;
         for (int i = 0; i < steps_per_sample_; ++i) {
             scene_.step();
             const physics::StepCost& cost = simulation_.physics.report().cost;
             lap_.work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
+            helpers_ms += cost.helpers_ms;
             if (engine_ == nullptr) lap_.step_ms.push_back(static_cast<float>(cost.total_ms));
         }
-        if (engine_ == nullptr) lap_.cpu_ms += timer.ms();
+        if (engine_ != nullptr) return;
+        lap_.cpu_ms += timer.ms() + helpers_ms;
+        lap_.clock_ms += clock.lap_ms();
     }
 
     /// False where the engine stopped; `trace` then says why.
@@ -197,6 +203,7 @@ Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
     const double cpu_start_s = thread_cpu_s();
     if (const Result<Done> opened = open(run); !opened) return opened.error();
     opened_->overrides = overrides(run.setting);
+    opened_->overrides.threads = run.threads;
     reset_peak_resident_bytes();
     SceneAnswer answer;
     std::optional<EngineProcess> process;

@@ -34,6 +34,7 @@ struct SceneRun {
     Setting setting{};
     /// By another engine; of `setting` the rate counts then, and is the same.
     std::optional<EngineSetting> engine{};
+    int threads{1};  ///< that share a step; the result is the same
     /// In units of kSampleEvery_s, rising, the last one is the run's end.
     std::vector<int> moments{};
     int copies{1};           ///< runs that are sampled; with `shift_m` each starts elsewhere

@@ -7,6 +7,7 @@
 #include "engine/study/played_scene.h"
 #include "engine/study/scenes/run_costs.h"
 #include "engine/study/scenes/scene_reference.h"
+#include "engine/study/scenes/scene_threads.h"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,10 @@ public:
         compare_with(std::move(**reference));
         if (const Result<Done> done = measure_grid(); !done) return done.error();
         if (const Result<Done> done = measure_engines(); !done) return done.error();
+        Result<std::vector<ThreadsPoint>> threads =
+            measure_threads(plan_, probe_, options_.threads);
+        if (!threads) return threads.error();
+        study_.subject.threads = std::move(*threads);
         return finish();
     }
 
@@ -282,12 +287,9 @@ private:
     void expect(const std::vector<Setting>& settings) { plan_.expect(costs_->sum_s(settings)); }
 
     Point point_of(const Setting& setting, const ScenePlan::Finished& finished) const {
-        Outcome outcome = outcome_of(finished);
-        return {.setting = setting,
-                .status = outcome.status,
-                .why = std::move(outcome.why),
-                .errors = std::move(outcome.errors),
-                .cost = finished.answer.cost};
+        Point point{.setting = setting};
+        judge(point, finished);
+        return point;
     }
 
     /// All settings of the other engines.
@@ -310,32 +312,29 @@ private:
         }
         const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& finished) {
             EnginePoint& point = points[finished.run];
-            Outcome outcome = outcome_of(finished);
             point.version = finished.answer.engine_version;
-            point.status = outcome.status;
-            point.why = std::move(outcome.why);
-            point.errors = std::move(outcome.errors);
-            point.cost = finished.answer.cost;
+            judge(point, finished);
         });
         if (!plan_.interrupted()) study_.subject.engines = std::move(points);
         return done;
     }
 
-    /// What a run is worth.
-    struct Outcome {
-        RunStatus status{RunStatus::Done};
-        std::string why{};
-        std::vector<double> errors{};
-    };
-    Outcome outcome_of(const ScenePlan::Finished& finished) const {
-        if (finished.status != RunStatus::Done) return {finished.status, finished.why};
+    /// Status, errors and cost of a point, from its run.
+    void judge(auto& point, const ScenePlan::Finished& finished) const {
+        point.status = finished.status;
+        point.why = finished.why;
+        point.cost = finished.answer.cost;
+        if (point.status != RunStatus::Done) return;
         for (const Trace& trace : finished.answer.traces) {
-            if (trace.status != RunStatus::Done) return {trace.status, trace.why};
-            const std::string why =
-                explosion_in(trace, reference_->answer.traces.front(), reference_->scales);
-            if (!why.empty()) return {RunStatus::Exploded, why};
+            point.status = trace.status;
+            point.why = trace.why;
+            if (point.status != RunStatus::Done) return;
+            point.why = explosion_in(trace, reference_->answer.traces.front(), reference_->scales);
+            if (point.why.empty()) continue;
+            point.status = RunStatus::Exploded;
+            return;
         }
-        return {.errors = errors_against(*reference_, finished.answer)};
+        point.errors = errors_against(*reference_, finished.answer);
     }
 
     /// What the reference says of the scene.

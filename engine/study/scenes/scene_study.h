@@ -30,6 +30,8 @@ struct SceneStudyOptions {
     std::optional<double> wall_s{};  ///< to be done within; none: 50, more for many bodies
     Workers workers{};
     std::vector<const EngineRow*> engines{};  ///< after the grid, and beyond `wall_s`
+    std::vector<int>
+        threads{};  ///< likewise: the scene's own setting with so many, one run at a time
     ReportProgress progress{};
     TellStudy tell{};
 };

@@ -72,6 +72,30 @@ std::string table_of_engines(const Subject& subject) {
     return text + "\n";
 }
 
+/// What each number of threads takes of the cores and of the clock.
+std::string table_of_threads(const Subject& subject) {
+    if (subject.threads.empty()) return {};
+    std::string text = fmt::format("{:>7}  {:>12}  {:>14}  {:>8}  result\n",
+                                   "threads",
+                                   "CPU ms/frame",
+                                   "clock ms/frame",
+                                   "speed-up");
+    for (const ThreadsPoint& point : subject.threads) {
+        text += fmt::format("{:>7}", point.threads);
+        if (point.status != RunStatus::Done) {
+            text += fmt::format("  {}: {}\n", word_of(point.status), point.why);
+            continue;
+        }
+        const double first_ms = subject.threads.front().cost.clock_ms_per_s;
+        text += fmt::format("  {:>12.4f}  {:>14.4f}  {:>8.2f}  {}\n",
+                            point.cost.ms_per_s_min / kFrames_per_s,
+                            point.cost.clock_ms_per_s / kFrames_per_s,
+                            first_ms / point.cost.clock_ms_per_s,
+                            point.same ? "same" : "another");
+    }
+    return text + "\n";
+}
+
 std::string pick_text(const Subject& subject, std::optional<std::size_t> pick) {
     return pick ? point_text(subject.points[*pick]) : std::string("none of these");
 }
@@ -148,8 +172,10 @@ std::string scene_study_text(const SceneStudy& study) {
     for (std::size_t i = 0; i < subject.metrics.size(); ++i)
         text += fmt::format(
             "{}{} of {}", i == 0 ? "" : "; ", subject.metrics[i].name, subject.metrics[i].scale);
-    text += fmt::format(
-        ".\n\n{}\n{}Cost to reach\n", table_of_points(subject), table_of_engines(subject));
+    text += fmt::format(".\n\n{}\n{}{}Cost to reach\n",
+                        table_of_points(subject),
+                        table_of_engines(subject),
+                        table_of_threads(subject));
     for (const double tolerance : {0.05, 0.01, 0.001})
         text += fmt::format("  {:>6}  {}\n",
                             percent(tolerance),

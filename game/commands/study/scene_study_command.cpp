@@ -28,7 +28,8 @@ Result<scene::OpenedScene> opened(const std::filesystem::path& scene) {
 std::optional<study::SceneStudy> kept_study(const SceneStudyCommand& command,
                                             const std::filesystem::path& folder,
                                             const study::StudyKey& key) {
-    if (!command.engines.empty() || !command.load_file.empty()) return {};
+    if (!command.engines.empty() || !command.threads.empty() || !command.load_file.empty())
+        return {};
     if (!command.wish.tolerance && !command.wish.budget_ms) return {};
     std::optional<study::CachedStudy> kept = study::find_study(folder, key);
     if (!kept || kept->grid != study::GridSize::Full || kept->study.from_s > 0) return {};
@@ -71,6 +72,7 @@ Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
                                    .seconds = command.seconds,
                                    .workers = {.count = study::default_workers()},
                                    .engines = command.engines,
+                                   .threads = command.threads,
                                    .progress = [&](const study::StudyProgress& progress) {
                                        bar.show(progress.share, progress.left_s);
                                    }});

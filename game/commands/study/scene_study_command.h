@@ -15,6 +15,7 @@ struct SceneStudyCommand {
     std::filesystem::path load_file{};  ///< a saved game to continue from; empty: from the start
     std::optional<double> seconds{};
     std::vector<const study::EngineRow*> engines{};  ///< other engines, measured too
+    std::vector<int> threads{};                      ///< numbers of them, measured too
     study::Wish
         wish{};  ///< with either of them: just the lines to paste, from the kept study if any
 };

@@ -1,6 +1,7 @@
 // The command-line words of `study`.
 #include "game/command_line/option_ranges.h"
 #include "game/command_line/shard_option.h"
+#include "game/commands/simulate_cli.h"
 #include "game/commands/study/study_command.h"
 
 #include <CLI/CLI.hpp>
@@ -58,6 +59,15 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
                      "Scenes: measure these engines too: jolt, rapier, physx, havok, bullet, ode, "
                      "with commas, or all")
         ->excludes("--effects", "--picture", "--merge");
+    study
+        ->add_option_function<std::vector<std::string>>(
+            "--threads",
+            [&options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.threads.push_back(threads_from(text));
+            },
+            "Scenes: measure these numbers of threads too, such as 1,2,4")
+        ->delimiter(',')
+        ->excludes("--effects", "--picture", "--merge", "--shard");
     return study;
 }
 

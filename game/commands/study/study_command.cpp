@@ -161,6 +161,7 @@ Result<Done> add_scenes(const StudyOptions& options,
              .load_file = options.load_file,
              .seconds = options.seconds,
              .engines = engines,
+             .threads = options.threads,
              .wish = {.tolerance = options.tolerance, .budget_ms = options.budget_ms}});
         if (!made) return made.error();
         findings.complete = made->complete;
@@ -338,6 +339,8 @@ ExitCode run_study(const StudyOptions& options) {
     if (!chosen) return refuse(chosen.error());
     if (!options.engines.empty() && chosen->scenes.empty())
         return refuse({.message = "--engines needs a scene", .exit_code = ExitCode::BadUsage});
+    if (!options.threads.empty() && chosen->scenes.empty())
+        return refuse({.message = "--threads needs a scene", .exit_code = ExitCode::BadUsage});
     if (!options.load_file.empty() && (chosen->scenes.size() != 1 || !chosen->scenarios.empty()))
         return refuse({.message = "--load needs one scene: that of the saved game",
                        .exit_code = ExitCode::BadUsage});

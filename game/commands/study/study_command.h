@@ -32,6 +32,7 @@ struct StudyOptions {
     std::optional<double> tolerance{};
     std::optional<double> budget_ms{};
     std::string engines;  ///< names with commas between them
+    std::vector<int> threads;
     std::string command;  ///< the command line, for the report
 };
 

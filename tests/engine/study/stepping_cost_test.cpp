@@ -6,7 +6,7 @@ namespace plumbline::study {
 namespace {
 
 Lap lap(double cpu_ms) {
-    Lap made{.cpu_ms = cpu_ms, .simulated_s = 2, .work = 100};
+    Lap made{.cpu_ms = cpu_ms, .clock_ms = 0.6 * cpu_ms, .simulated_s = 2, .work = 100};
     for (int i = 0; i < 100; ++i) made.step_ms.push_back(static_cast<float>(i));
     return made;
 }
@@ -17,11 +17,26 @@ TEST(Measure, CostIsPerSimulatedSecondOfTheLaps) {
     EXPECT_DOUBLE_EQ(cost.ms_per_s_min, 5);
     EXPECT_DOUBLE_EQ(cost.ms_per_s_median, 10);
     EXPECT_DOUBLE_EQ(cost.ms_per_s_max, 15);
+    EXPECT_DOUBLE_EQ(cost.clock_ms_per_s, 3) << "the least";
     EXPECT_EQ(cost.repeats, 3);
     EXPECT_DOUBLE_EQ(cost.work_per_s, 50);
     EXPECT_NEAR(cost.step_ms_median, 50, 1);
     EXPECT_NEAR(cost.step_ms_p99, 98, 1);
     EXPECT_EQ(cost_of({}).repeats, 0);
+}
+
+TEST(Measure, TimeOfHelpersIsCpuTimeAndNotTimeOnTheClock) {
+    StepMeter alone;
+    StepMeter helped;
+    for (StepMeter* meter : {&alone, &helped}) {
+        meter->resume();
+        meter->stepped({.helpers_ms = meter == &helped ? 1e6 : 0.0}, 0.01);
+        meter->pause();
+    }
+    EXPECT_GE(helped.lap().cpu_ms, 1e6);
+    EXPECT_LT(alone.lap().cpu_ms, 1e5);
+    EXPECT_LT(helped.lap().clock_ms, 1e5);
+    EXPECT_GT(helped.lap().clock_ms, 0);
 }
 
 TEST(Measure, ABudgetEndsTheLapsButNotBeforeTheFirst) {

@@ -24,6 +24,7 @@ inline Findings a_study() {
                                 .cost = {.ms_per_s_min = 0.1,
                                          .ms_per_s_median = 0.2,
                                          .ms_per_s_max = 0.3,
+                                         .clock_ms_per_s = 0.09,
                                          .repeats = 5,
                                          .step_ms_median = 0.004,
                                          .step_ms_p99 = 0.005,
@@ -44,6 +45,10 @@ inline Findings a_study() {
                                   .halvings = 4},
                                  {.knob = "sub-steps", .trend = Trend::TooFew}},
                     .notes = {"a note"}};
+    subject.threads = {{.threads = 2,
+                        .same = true,
+                        .cost = {.ms_per_s_min = 6, .clock_ms_per_s = 3.5, .repeats = 5}},
+                       {.threads = 64, .status = RunStatus::Refused, .why = "too many"}};
     return {.command = "plumbline study A20",
             .machine = "a machine",
             .build = "0.1",

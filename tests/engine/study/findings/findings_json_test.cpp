@@ -39,6 +39,9 @@ TEST(FindingsJson, ReadsBackWhatItWrote) {
     EXPECT_EQ(subject.euler_floor.at(0).error, 0.1 / 3);
     EXPECT_EQ(subject.points.at(0).cost.frame_ms_max, 0.008);
     EXPECT_EQ(subject.points.at(0).cost.peak_bytes, 10U);
+    EXPECT_EQ(subject.threads.at(0).cost.clock_ms_per_s, 3.5);
+    EXPECT_TRUE(subject.threads.at(0).same);
+    EXPECT_EQ(subject.threads.at(1).status, RunStatus::Refused);
     EXPECT_EQ(subject.uncertainty, 0.1 / 7);
     EXPECT_EQ(read->effects.at(0).rows.at(0).step_ms.mean, 0.1 / 3);
     EXPECT_EQ(read->effects.at(0).rows.at(0).bytes_gpu, 5U);

@@ -30,6 +30,20 @@ SceneStudy told_study() {
     return study;
 }
 
+TEST(SceneText, ThreadsAreComparedWithTheFirstNumber) {
+    SceneStudy study = told_study();
+    EXPECT_EQ(scene_study_text(study).find("speed-up"), std::string::npos);
+    study.subject.threads = {
+        {.threads = 1, .same = true, .cost = {.ms_per_s_min = 60, .clock_ms_per_s = 60}},
+        {.threads = 2, .same = true, .cost = {.ms_per_s_min = 72, .clock_ms_per_s = 40}},
+        {.threads = 3, .status = RunStatus::TimedOut, .why = "too long"}};
+    const std::string text = scene_study_text(study);
+    EXPECT_NE(text.find("      2        1.2000          0.6667      1.50  same\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("      3  timed out: too long\n"), std::string::npos) << text;
+}
+
 TEST(SceneText, ATolerancesUncertaintyTightensItToHalfAtMost) {
     SceneStudy study = told_study();
     EXPECT_EQ(choose(study, {})->point, 1U) << "1 %, and float64 cannot be asked for";
