@@ -14,6 +14,7 @@ foreach(suffix "" "_f64")
         command_line/parse_error.h command_line/parse_error.cpp
         command_line/program_words.h command_line/program_words.cpp
         command_line/refuse.h
+        command_line/threads_option.h command_line/threads_option.cpp
         commands/simulate_cli.h commands/simulate_cli.cpp
         commands/simulate_command.h commands/simulate_command.cpp)
     plumbline_target_settings(${target})

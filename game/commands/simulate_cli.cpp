@@ -3,13 +3,11 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/text/nearest_name.h"
-#include "engine/scene/accuracy.h"
 #include "game/command_line/option_ranges.h"
+#include "game/command_line/threads_option.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace plumbline::game {
 
@@ -24,19 +22,6 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
     }
     throw CLI::ValidationError(fmt::format(
         "--solver: there is no \"{}\"{}; known: {}", name, nearest_words(name, known), list));
-}
-
-int threads_from(const std::string& text) {
-    if (text == "auto") return scene::kAutoThreads;
-    int threads = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-    if (error == std::errc{} && end == text.data() + text.size() && threads >= 1 &&
-        threads <= scene::kMostThreads)
-        return threads;
-    throw CLI::ValidationError(
-        fmt::format("--threads: \"{}\"; expected auto or a whole number from 1 to {}",
-                    text,
-                    scene::kMostThreads));
 }
 
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {

@@ -15,9 +15,6 @@ namespace plumbline::game {
 /// The solver of that name; throws a CLI::ValidationError that names the nearest one.
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver);
 
-/// A number of threads, or "auto" as scene::kAutoThreads; throws a CLI::ValidationError.
-int threads_from(const std::string& text);
-
 /// Adds the subcommand; parsing fills `options`, which must live as long as `app`.
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options);
 

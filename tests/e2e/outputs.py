@@ -144,6 +144,32 @@ def a_trace_grows_while_it_runs():
     assert [json.loads(line)["time_s"] for line in whole[:3]] == [0, 1, 2]
 
 
+def trace_events_are_spans_within_steps():
+    events = folder / "events.json"
+    scene = "bench/boxes_100"
+    plain = run("simulate", scene, "--seconds", 1).stdout.split()[-1]
+    done = run("simulate", scene, "--seconds", 1, "--threads", 2, "--trace-events", events)
+    assert done.stdout.split()[-1] == plain, "who watches changes nothing"
+    spans = [event for event in json.loads(events.read_text()) if event["ph"] == "X"]
+    steps = [span for span in spans if span["name"] == "step"]
+    assert len(steps) == 60 and {"broad phase", "narrow phase", "solve islands", "island"} <= {span["name"] for span in spans}
+    for name in ("narrow phase", "solve islands"):
+        for span in (each for each in spans if each["name"] == name):
+            assert any(step["ts"] <= span["ts"] + 0.01 and span["ts"] + span["dur"] <= step["ts"] + step["dur"] + 0.01
+                       for step in steps), span
+    assert all(span["args"]["bodies"] >= 1 for span in spans if span["name"] == "island")
+    for solver in ("bullet_si", "small_step"):
+        run("simulate", CUBE, "--seconds", 0, "--solver", solver, "--trace-events", events)
+        assert len(json.loads(events.read_text())) == 1, "no step, no span"
+    run("simulate", CUBE, "--seconds", 1e6, "--trace-events", folder, code=1, says="Is a directory")
+    endless = subprocess.Popen([program, "simulate", CUBE, "--seconds", "1e6", "--trace-events", str(events)],
+                               env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(1)
+    endless.send_signal(signal.SIGINT)
+    assert endless.wait(20) != 0
+    assert len(json.loads(events.read_text())) > 1000, "whole after Ctrl-C"
+
+
 # EXPERIENCE I3
 def a_reader_may_leave():
     for words in (["controls"], ["scenes"], ["explain", CUBE], ["--help"]):
@@ -171,6 +197,6 @@ def what_has_no_name_gets_one():
 
 for test in (regular_files_keep_mode_and_links, pipes_are_written_through, devices_stay_devices, the_standard_output_has_a_name,
              what_cannot_be_written_is_found_first, an_earlier_study_stays_until_the_new_one_is_done,
-             a_trace_grows_while_it_runs, a_reader_may_leave, what_has_no_name_gets_one):
+             a_trace_grows_while_it_runs, trace_events_are_spans_within_steps, a_reader_may_leave, what_has_no_name_gets_one):
     print(test.__name__, flush=True)
     test()

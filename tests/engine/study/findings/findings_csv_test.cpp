@@ -14,8 +14,9 @@ TEST(FindingsCsv, HasALineForEveryPointAndMetric) {
     const std::string csv = findings_to_csv(a_study());
     EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * 2);
     EXPECT_NE(
-        csv.find("\nA20 e=0.5,\"apex, first\",1 m,T2 two integrators,small_step,240,4,16,1,"
-                 "float64,done,,1e-300,0.1,0.2,0.3,5,0.004,0.005,1234,0.006,0.007,0.008,9,10,0.09\n"),
+        csv.find(
+            "\nA20 e=0.5,\"apex, first\",1 m,T2 two integrators,small_step,240,4,16,1,"
+            "float64,done,,1e-300,0.1,0.2,0.3,5,0.004,0.005,1234,0.006,0.007,0.008,9,10,0.09\n"),
         std::string::npos)
         << csv;
     EXPECT_NE(csv.find(",crashed,signal 11,,"), std::string::npos) << csv;
