@@ -4,6 +4,7 @@
 #include "engine/assets/skybox_files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/threads/team.h"
 
 #include <algorithm>
 #include <iterator>
@@ -87,8 +88,7 @@ void AssetLibrary::prefetch_images(const std::vector<fs::path>& files) {
         pending = images_->waiting.size();
     }
     images_->work_added.notify_all();
-    const std::size_t wanted =
-        std::min<std::size_t>(pending, std::max(1U, std::thread::hardware_concurrency()));
+    const std::size_t wanted = std::min(pending, static_cast<std::size_t>(usable_cores()));
     try {
         while (images_->workers.size() < wanted) {
             images_->workers.emplace_back([images = images_.get()] { images->work(); });

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <deque>
 #include <iterator>
@@ -79,9 +80,11 @@ TraceRecording::TraceRecording() : impl_(std::make_unique<Impl>()) {
     impl_->spans();
     const Impl* before = Impl::now.exchange(impl_.get());
     PL_ASSERT(before == nullptr, "one recording at a time");
+    TraceSpan::is_recording = true;
 }
 
 TraceRecording::~TraceRecording() {
+    TraceSpan::is_recording = false;
     Impl::now = nullptr;
 }
 
@@ -97,19 +100,22 @@ std::string TraceRecording::take() {
     return json;
 }
 
-TraceSpan::TraceSpan(std::string_view name) : name_(name) {
-    if (TraceRecording::Impl::now.load(std::memory_order_acquire) != nullptr) start_s_ = wall_s();
+std::atomic<bool> TraceSpan::is_recording{false};
+
+void TraceSpan::begin(std::string_view name) {
+    name_ = name;
+    start_s_ = wall_s();
 }
 
-TraceSpan::~TraceSpan() {
-    if (start_s_ == 0) return;
+void TraceSpan::end() {
     TraceRecording::Impl* recording = TraceRecording::Impl::now.load(std::memory_order_acquire);
-    if (recording != nullptr)
-        recording->spans().push_back({name_, start_s_, wall_s(), notes_, note_count_});
-}
-
-void TraceSpan::note(std::string_view key, std::int64_t value) {
-    if (start_s_ != 0 && note_count_ < kMostNotes) notes_[note_count_++] = {key, value};
+    if (recording == nullptr) return;
+    Span& span = recording->spans().emplace_back();
+    span.name = name_;
+    span.start_s = start_s_;
+    span.end_s = wall_s();
+    span.note_count = note_count_;
+    std::copy_n(notes_.begin(), note_count_, span.notes.begin());
 }
 
 }  // namespace plumbline

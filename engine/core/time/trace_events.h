@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,25 +36,38 @@ private:
 class TraceSpan {
 public:
     /// `name` outlives the recording, as a literal does.
-    explicit TraceSpan(std::string_view name);
-    ~TraceSpan();
+    explicit TraceSpan(std::string_view name) {
+        if (is_recording.load(std::memory_order_relaxed)) begin(name);
+    }
+    ~TraceSpan() {
+        if (start_s_ != 0) end();
+    }
     TraceSpan(const TraceSpan&) = delete;
     TraceSpan& operator=(const TraceSpan&) = delete;
 
     /// A number to show with the span; `key` as the name. No more than kMostNotes are kept.
-    void note(std::string_view key, std::int64_t value);
+    void note(std::string_view key, std::int64_t value) {
+        if (start_s_ != 0 && note_count_ < kMostNotes) notes_[note_count_++] = {key, value};
+    }
 
     static constexpr std::size_t kMostNotes = 4;
     struct Note {
         std::string_view key;
-        std::int64_t value{0};
+        std::int64_t value;
     };
 
 private:
-    std::string_view name_;
+    friend class TraceRecording;
+    void begin(std::string_view name);
+    void end();
+
+    static std::atomic<bool> is_recording;
+
+    std::string_view name_{};
     double start_s_{0};  ///< of wall_s(); 0: nobody records
-    std::array<Note, kMostNotes> notes_{};
     std::size_t note_count_{0};
+    std::array<Note, kMostNotes>
+        notes_;  ///< the first note_count_; else a span that nobody records would clear them
 };
 
 }  // namespace plumbline

@@ -259,10 +259,13 @@ void IslandSolver::Impl::hold(const Island& island,
                               SubstepChoice& choice) const {
     // What most of the bodies had: a few that join from a harder island do not decide.
     std::array<int, kMostSubsteps + 1> bodies_with{};
-    for (const BodyRecord* record : island.bodies)
-        ++bodies_with[static_cast<std::size_t>(std::min(record->small.substeps, kMostSubsteps))];
-    int had = kMostSubsteps;
-    for (auto more = static_cast<std::size_t>(bodies_with.back());
+    int had = 0;
+    for (const BodyRecord* record : island.bodies) {
+        const int substeps = std::min(record->small.substeps, kMostSubsteps);
+        ++bodies_with[static_cast<std::size_t>(substeps)];
+        had = std::max(had, substeps);
+    }
+    for (auto more = static_cast<std::size_t>(bodies_with[static_cast<std::size_t>(had)]);
          had > 0 && 2 * more < island.bodies.size();) {
         --had;
         more += static_cast<std::size_t>(bodies_with[static_cast<std::size_t>(had)]);

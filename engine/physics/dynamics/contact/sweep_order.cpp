@@ -75,11 +75,15 @@ void SweepOrder::count_parts(std::span<const ContactConstraint> constraints,
 /// What does not move is of the first cell.
 void SweepOrder::number_cells(std::span<const SolverBody> bodies) {
     cells_.assign(bodies.size(), 0);
-    sorted_.resize(bodies.size());
-    std::iota(sorted_.begin(), sorted_.end(), 0U);
-    const auto moving = std::stable_partition(
-        sorted_.begin(), sorted_.end(), [&](std::uint32_t i) { return !bodies[i].movable(); });
-    const auto first = static_cast<std::size_t>(moving - sorted_.begin());
+    sorted_.clear();
+    const auto add = [&](bool movable) {
+        for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+            if (bodies[i].movable() == movable) sorted_.push_back(i);
+        }
+    };
+    add(false);
+    const std::size_t first = sorted_.size();
+    add(true);
     cell_ends_.clear();
     for (std::uint32_t cell = 0; cell < cells(); ++cell) {
         const std::size_t begin = cell == 0 ? first : cell_ends_.back();
