@@ -67,6 +67,8 @@ public:
     std::span<const float> recent_steps() const;
     /// The passes of the last frame, their times smoothed over some thirty frames.
     std::vector<render::PassTiming> recent_passes() const;
+    /// What the phases and threads of a step took, smoothed over some thirty of them.
+    const physics::StepCost& recent_step() const { return physics_.recent; }
     const render::FrameStats& last_stats() const { return last_; }
     const physics::Interventions& interventions() const { return physics_.interventions; }
     double startup_ms() const { return startup_ms_; }

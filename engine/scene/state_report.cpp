@@ -14,6 +14,9 @@ namespace plumbline::scene {
 
 namespace {
 
+/// Of the newest step in what is smoothed.
+constexpr double kSmoothing = 1.0 / 30.0;
+
 /// What displaced water has risen by, and waves.
 double water_J(const Simulation& simulation) {
     double sum = simulation.force_fields.energy_J("buoyancy");
@@ -154,6 +157,15 @@ Totals totals_of(const Simulation& simulation) {
 }
 
 void CostHistory::add(const physics::StepCost& cost) {
+    using Cost = physics::StepCost;
+    const double share = step_ms.empty() ? 1.0 : kSmoothing;
+    for (double Cost::*phase : {&Cost::broad_ms,
+                                &Cost::narrow_ms,
+                                &Cost::solve_ms,
+                                &Cost::integrate_ms,
+                                &Cost::total_ms,
+                                &Cost::helpers_ms})
+        recent.*phase += share * (cost.*phase - recent.*phase);
     step_ms.push_back(static_cast<float>(cost.total_ms));
     cpu_ms_total += cost.total_ms;
     wall_ms_total += cost.wall_ms;

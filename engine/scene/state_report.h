@@ -21,6 +21,7 @@ struct CostHistory {
     std::uint64_t row_solves{0};
     std::uint32_t contacts_max{0};
     physics::Interventions interventions{};  ///< of all steps
+    physics::StepCost recent{};  ///< ms of phases and threads, smoothed over some thirty steps
 
     void add(const physics::StepCost& cost);
 };

@@ -138,14 +138,22 @@ std::vector<HudLine> summary(const OverlayInput& input) {
     return lines;
 }
 
-void add_step_phases(const physics::StepCost& cost, std::vector<HudLine>& lines) {
-    const auto add = [&](const char* name, double ms) {
+/// A bar for each phase and, where there are helpers, for the threads: shares of the whole step. Phases are timed on the
+/// clock of the thread that calls them.
+void add_step_phases(const physics::StepCost& step, std::vector<HudLine>& lines) {
+    const double own_ms = step.total_ms - step.helpers_ms;
+    const auto add = [&](const char* name, double ms, double of_ms) {
         lines.push_back(row(name, "{:.2f} ms", ms));
+        lines.back().share =
+            of_ms > 0.0 ? static_cast<float>(std::clamp(ms / of_ms, 0.0, 1.0)) : 0.0F;
     };
-    add("  broad phase", cost.broad_ms);
-    add("  narrow phase", cost.narrow_ms);
-    add("  solver", cost.solve_ms);
-    add("  integration", cost.integrate_ms);
+    add("  broad phase", step.broad_ms, own_ms);
+    add("  narrow phase", step.narrow_ms, own_ms);
+    add("  solver", step.solve_ms, own_ms);
+    add("  integration", step.integrate_ms, own_ms);
+    if (step.helpers_ms <= 0.0) return;
+    add("  calling thread", own_ms, step.total_ms);
+    add("  helper threads", step.helpers_ms, step.total_ms);
 }
 
 void add_drawn(const FrameReport& report, std::vector<HudLine>& lines) {
@@ -173,7 +181,7 @@ std::vector<HudLine> full_table(const OverlayInput& input) {
     std::vector<HudLine> lines{frame_line(input.report),
                                row("Frame p95", "{:.1f} ms", frame.p95),
                                step_line(input.simulation)};
-    add_step_phases(world.report().cost, lines);
+    add_step_phases(input.report.recent_step(), lines);
     add_world(input, lines);
     lines.push_back(row("Max penetration", "{:.2f} mm", max_penetration_m(world) * 1e3));
     if (const std::string done = scene::interventions_text(input.report.interventions());

@@ -97,6 +97,31 @@ TEST_F(StatsPageTest, TheFullTableHasEveryPassAndEveryEffectThatExists) {
     EXPECT_TRUE(lines(StatsPage::Off).empty());
 }
 
+TEST_F(StatsPageTest, PhasesAndThreadsOfAStepAreBarsOfIt) {
+    report_ = FrameReport();
+    report_.add_step(
+        {.broad_ms = 0.1, .narrow_ms = 0.3, .solve_ms = 0.5, .integrate_ms = 0.1, .total_ms = 1});
+    EXPECT_TRUE(has(lines(StatsPage::FullTable), "  narrow phase|0.30 ms"));
+    EXPECT_FALSE(has(lines(StatsPage::FullTable), "  helper threads|0.00 ms"));
+    for (int i = 0; i < 1000; ++i)
+        report_.add_step({.broad_ms = 0.1,
+                          .narrow_ms = 0.4,
+                          .solve_ms = 1.4,
+                          .integrate_ms = 0.1,
+                          .total_ms = 3,
+                          .helpers_ms = 1});
+    const std::pair<const char*, float> bars[] = {{"  narrow phase", 0.2F},
+                                                  {"  solver", 0.7F},
+                                                  {"  calling thread", 2.0F / 3.0F},
+                                                  {"  helper threads", 1.0F / 3.0F}};
+    const std::vector<ui::HudLine> page = panels::stats_lines(input());
+    for (const auto& [name, share] : bars) {
+        const auto line = std::ranges::find(page, std::string(name), &ui::HudLine::text);
+        ASSERT_NE(line, page.end()) << name;
+        EXPECT_NEAR(line->share, share, 1e-4F) << name;
+    }
+}
+
 TEST_F(StatsPageTest, TheKeyGoesThroughSummaryAndFullTable) {
     EXPECT_EQ(next(StatsPage::Off), StatsPage::Summary);
     EXPECT_EQ(next(StatsPage::Summary), StatsPage::FullTable);
