@@ -116,9 +116,9 @@ def play_with_a_crate_in_hand(folder, environment, tape, slot):
             running.do("mousemove_relative", "--", 0, 200)
             time.sleep(0.2)
         running.do("key", "q")
-        time.sleep(1)
+        time.sleep(2)  # it comes to rest, also at a few frames a second
         running.do("key", "e")
-        time.sleep(1)
+        time.sleep(2)
         running.press("F5")
         wait_for(slot, running)
         running.hold("w", 1.5)
