@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSides = 24;  ///< of what stands for a circle
 constexpr int kRings = 8;   ///< of half a ball
-constexpr int kStretches = 60;
+constexpr int kStretchRounds = 60;
 constexpr double kEnough = 1 + 1e-12;
 /// Of the solid's extent: nearer to a plane is on it.
 constexpr double kOnPlane = 1e-9;
@@ -170,7 +170,7 @@ Polyhedron stretched(Polyhedron solid, const SolidMass& round, const Vec3d& grow
                                  (mass.inertia[axis][axis] / mass.volume_m3));
         return share;
     };
-    for (int i = 0; i < kStretches; ++i) {
+    for (int i = 0; i < kStretchRounds; ++i) {
         const Vec3d by = Vec3d{1.0} + grows * ((most() * kEnough - 1) / 2);
         for (Vec3d& corner : solid.corners_m) corner *= by;
     }
