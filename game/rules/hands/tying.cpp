@@ -109,7 +109,9 @@ Tying::Place Tying::place_of(const scene::Simulation& simulation, const Looked& 
 }
 
 std::optional<Vec3> Tying::first_end_m(const scene::Simulation& simulation) const {
-    return begun_ ? std::optional(first_.world_m(simulation)) : std::nullopt;
+    // A step may have removed the body since forget_gone().
+    if (!begun_ || !first_.is_there(simulation)) return {};
+    return first_.world_m(simulation);
 }
 
 Vec3 Tying::Place::world_m(const scene::Simulation& simulation) const {
@@ -117,10 +119,12 @@ Vec3 Tying::Place::world_m(const scene::Simulation& simulation) const {
     return transform_point(simulation.physics.state(body).world_from_body, anchor_m);
 }
 
+bool Tying::Place::is_there(const scene::Simulation& simulation) const {
+    return !body || (simulation.physics.contains(body) && simulation.registry.alive(entity));
+}
+
 void Tying::forget_gone(const scene::Simulation& simulation) {
-    const bool is_there = !first_.body || (simulation.physics.contains(first_.body) &&
-                                           simulation.registry.alive(first_.entity));
-    if (begun_ && !is_there) *this = {};
+    if (begun_ && !first_.is_there(simulation)) *this = {};
 }
 
 std::string Tying::finish(scene::Simulation& simulation, const Place& second) {

@@ -30,7 +30,7 @@ public:
     std::string press(scene::Simulation& simulation, const Aim& aim);
     /// Puts the rope in hand away when what its first end was tied to left the world.
     void forget_gone(const scene::Simulation& simulation);
-    /// Where the first end is, while the second is still in the hand.
+    /// Where the first end is, while the second is still in the hand. None: what it was tied to is gone.
     std::optional<Vec3> first_end_m(const scene::Simulation& simulation) const;
     void serialize(Archive& archive) { archive(begun_, first_); }
 
@@ -41,6 +41,7 @@ private:
         ecs::Entity entity{};
         Vec3 anchor_m{0, 0, 0};
         Vec3 world_m(const scene::Simulation& simulation) const;
+        bool is_there(const scene::Simulation& simulation) const;
         void serialize(Archive& archive) { archive(body, entity, anchor_m); }
     };
     static Place place_of(const scene::Simulation& simulation, const Looked& looked);

@@ -110,6 +110,21 @@ TEST_F(Tied, SaysWhyNot) {
     EXPECT_TRUE(play_.simulation->ropes().empty());
 }
 
+// A step may remove the body before the image is drawn: it broke, or fell out of the world.
+TEST_F(Tied, ARopeInHandIsNotDrawnFromWhatIsGone) {
+    press_at({0, 0.7_r, -2.8_r});
+    play_.step(play_.turn_to({0, 3.1_r, -2.9_r}));
+    const auto drawn = [&] {
+        LineList lines;
+        play_.game->add_lines(*play_.simulation, 1, lines);
+        return lines.vertices.size();
+    };
+    const std::size_t with_rope = drawn();
+    ASSERT_GE(with_rope, 2U);
+    destroy(*play_.simulation, play_.simulation->find("crate"));
+    EXPECT_LT(drawn(), with_rope);
+}
+
 TEST_F(Tied, GoesOnFromASavedGameToTheBit) {
     hang_the_crate();
     const std::vector<Vec3d> points = play_.simulation->points_of(rope());
