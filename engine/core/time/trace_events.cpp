@@ -55,11 +55,7 @@ struct TraceRecording::Impl {
 
     /// Of the calling thread.
     std::vector<Span>& spans();
-
-    static std::atomic<Impl*> now;
 };
-
-std::atomic<TraceRecording::Impl*> TraceRecording::Impl::now{nullptr};
 
 std::vector<Span>& TraceRecording::Impl::spans() {
     struct Place {
@@ -78,14 +74,12 @@ TraceRecording::TraceRecording() : impl_(std::make_unique<Impl>()) {
     static std::atomic<std::uint64_t> recordings{0};
     impl_->number = ++recordings;
     impl_->spans();
-    const Impl* before = Impl::now.exchange(impl_.get());
+    const TraceRecording* before = TraceSpan::recording.exchange(this);
     PL_ASSERT(before == nullptr, "one recording at a time");
-    TraceSpan::is_recording = true;
 }
 
 TraceRecording::~TraceRecording() {
-    TraceSpan::is_recording = false;
-    Impl::now = nullptr;
+    TraceSpan::recording = nullptr;
 }
 
 std::string TraceRecording::take() {
@@ -100,7 +94,7 @@ std::string TraceRecording::take() {
     return json;
 }
 
-std::atomic<bool> TraceSpan::is_recording{false};
+std::atomic<TraceRecording*> TraceSpan::recording{nullptr};
 
 void TraceSpan::begin(std::string_view name) {
     name_ = name;
@@ -108,9 +102,9 @@ void TraceSpan::begin(std::string_view name) {
 }
 
 void TraceSpan::end() {
-    TraceRecording::Impl* recording = TraceRecording::Impl::now.load(std::memory_order_acquire);
-    if (recording == nullptr) return;
-    Span& span = recording->spans().emplace_back();
+    const TraceRecording* to = recording.load(std::memory_order_acquire);
+    if (to == nullptr) return;
+    Span& span = to->impl_->spans().emplace_back();
     span.name = name_;
     span.start_s = start_s_;
     span.end_s = wall_s();

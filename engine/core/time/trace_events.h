@@ -37,7 +37,7 @@ class TraceSpan {
 public:
     /// `name` outlives the recording, as a literal does.
     explicit TraceSpan(std::string_view name) {
-        if (is_recording.load(std::memory_order_relaxed)) begin(name);
+        if (recording.load(std::memory_order_relaxed) != nullptr) begin(name);
     }
     ~TraceSpan() {
         if (start_s_ != 0) end();
@@ -61,7 +61,7 @@ private:
     void begin(std::string_view name);
     void end();
 
-    static std::atomic<bool> is_recording;
+    static std::atomic<TraceRecording*> recording;  ///< null: nobody records
 
     std::string_view name_{};
     double start_s_{0};  ///< of wall_s(); 0: nobody records
