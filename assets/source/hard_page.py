@@ -102,13 +102,6 @@ KNOWN_RED = {
     "D15": [
         ("penetration_m at most 0.002", 0.00405, "two bodies that meet at 600 m/s, for a step"),
     ],
-    "D19": [
-        ("penetration_m at most 0.02", 0.0227, "cubes of 100 kg that land at 10 m/s on balls of half a kilogram, for some steps"),
-    ],
-    "D21": [
-        ("speed_mps at most 0.002, from 5.5 s", 0.0126,
-         "a limb that lies on its cone and its twist limit at once trembles"),
-    ],
     "D22": [
         ("penetration_m at most 0.001, from 13.8 s", 0.00111, "a creeping block in a sleeping cube"),
     ],

@@ -63,6 +63,17 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     return body;
 }
 
+/// What callers' forces press the bodies of a pair together with.
+Real pressed_N(const Manifold& manifold) {
+    if (manifold.points.empty()) return 0;
+    const Vec3& normal = manifold.points.front().normal_world;
+    const auto towards = [](const BodyRecord& record, const Vec3& direction) {
+        if (!pushable(record) || !record.applied.by_caller) return Real{0};
+        return glm::dot(record.applied.force_N - record.traits.weight_N, direction);
+    };
+    return std::max(towards(*manifold.a, -normal), towards(*manifold.b, normal));
+}
+
 /// The number of the belt that a body is (ContactConstraint::belt).
 std::uint32_t belt_of(const BodyRecord& record, ContactSet& contacts) {
     const BodyTraits& traits = record.traits;
@@ -229,6 +240,7 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
                 size_m = std::min(size_m, 2 * record.sweep.inner_radius_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
+        load_N = std::max(load_N, pressed_N(*manifold));
         chooser.add_contact(
             number_of(*manifold->a), number_of(*manifold->b), load_N, 1 / inverse_mass, size_m);
     }

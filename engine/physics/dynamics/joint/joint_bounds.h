@@ -44,6 +44,7 @@ struct JointBound {
     double impulse{0};  ///< so far in this sub-step
     bool eased{false};  ///< ease_push() slowed it down in this sub-step
 
+    bool at_limit() const { return step == BoundStep::Lower || step == BoundStep::Upper; }
     bool at_bound() const { return step != BoundStep::Forward && step != BoundStep::Backward; }
     /// The speed to solve for when at_bound().
     double wanted_speed() const;

@@ -74,6 +74,8 @@ void DirectJoints::push_springs_only(JointGroup& group,
         if (steadily) {
             SpringLine(spring).push_steadily(spring, impulse_Ns);
         } else {
+            if (spring.overdamped && group.rows[spring.node].is_active(0))
+                keep_as_steady(spring, impulse_Ns, group.substep_s);
             group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
         }
         group.impulses[spring.node].x += impulse_Ns;
@@ -81,21 +83,32 @@ void DirectJoints::push_springs_only(JointGroup& group,
     }
 }
 
-void DirectJoints::damp_springs(JointGroup& group, std::span<JointSpring> springs) {
+/// Of the others the speed that the sub-step began with, of overdamped ones the present one.
+void DirectJoints::damp_springs(JointGroup& group,
+                                std::span<JointSpring> springs,
+                                bool overdamped) {
     bool any = false;
-    for (const JointSpring& spring : springs) {
-        const double inverse_mass = SpringLine(spring).inverse_mass;
-        if (!(spring.damping_Nspm > 0) || !(inverse_mass > 0)) continue;
+    for (JointSpring& spring : springs) {
+        const SpringLine line(spring);
+        if (!(spring.damping_Nspm > 0) || !(line.inverse_mass > 0)) continue;
+        spring.overdamped = is_overdamped(spring, line);
+        if (spring.overdamped != overdamped) continue;
         any = true;
-        bias_[spring.node].x = 0;
-        compliance_[spring.node] = damping_row(spring, inverse_mass, group.substep_s).compliance;
+        const StiffRow row = overdamped ? overdamped_row(spring, line, group.substep_s)
+                                        : damping_row(spring, line.inverse_mass, group.substep_s);
+        bias_[spring.node].x = row.bias_mps;
+        compliance_[spring.node] = row.compliance;
         group.rows[spring.node].active = 0b001;
     }
     if (!any) return;
+    springs_factored_ = false;
     const auto at_start = [&](const JointBody& body) {
         return start_of_substep(body, group.substep_s);
     };
-    group.with_motion(at_start, [&] { solve_springs(group); });
+    if (overdamped)
+        solve_springs(group);
+    else
+        group.with_motion(at_start, [&] { solve_springs(group); });
     push_springs_only(group, springs, false);
 }
 
@@ -121,7 +134,7 @@ void DirectJoints::hold_late(JointGroup& group, const StiffSprings& springs) {
 
 void DirectJoints::activate(JointGroup& group, const StiffSprings& springs) {
     for (const JointSpring& spring : springs.lines) {
-        if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
+        if (spring.stiffness_Npm > 0 && !spring.overdamped) group.rows[spring.node].active = 0b001;
     }
     for (const ElasticBlock& block : springs.blocks) group.rows[block.node].active = 0b111;
 }
@@ -138,12 +151,11 @@ void DirectJoints::push_springs(JointGroup& group, StiffSprings& springs, double
     if (springs.empty()) return;
     compliance_.assign(group.rows.size(), 0.0);
     bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
-    springs_factored_ = false;
-    damp_springs(group, springs.lines);
+    for (const bool overdamped : {false, true}) damp_springs(group, springs.lines, overdamped);
     springs_factored_ = false;
     for (JointSpring& spring : springs.lines) {
         spring.kept_Ns = spring.ahead_Ns = 0;
-        if (!(spring.stiffness_Npm > 0)) continue;
+        if (!(spring.stiffness_Npm > 0) || spring.overdamped) continue;
         const SpringLine line(spring);
         spring.extension_m = line.length_m - spring.rest_m;
         const StiffRow row = push_row(spring, line, duration_s);

@@ -67,6 +67,18 @@ double steady_force_N(const JointSpring& spring, const SpringLine& line) {
     return (of(*spring.b, line.arm_b) - of(*spring.a, line.arm_a)) / line.inverse_mass;
 }
 
+bool has_steady_change(const SolverBody& body) {
+    return body.velocity_increment_mps != Vec3{0, 0, 0} ||
+           body.spin_increment_radps != Vec3{0, 0, 0};
+}
+
+/// What of an impulse was there in the sub-step before and hardly changed since.
+double lasting_part(double impulse_Ns, double before_Ns) {
+    const double steady_Ns =
+        std::min(std::abs(impulse_Ns), std::abs(before_Ns)) - std::abs(impulse_Ns - before_Ns);
+    return std::copysign(std::max(steady_Ns, 0.0), impulse_Ns);
+}
+
 }  // namespace
 
 SpringLine::SpringLine(const JointSpring& spring) {
@@ -98,6 +110,14 @@ double SpringLine::mean_speed(const JointSpring& spring) const {
            0.5 * glm::dot(direction, steady(*spring.b, arm_b) - steady(*spring.a, arm_a));
 }
 
+double SpringLine::start_speed(const JointSpring& spring, double substep_s) const {
+    const auto at = [&](const JointBody& body, const Vec3d& arm) {
+        const BodyVelocities start = start_of_substep(body, substep_s);
+        return start.velocity_mps + glm::cross(start.spin_radps, arm);
+    };
+    return glm::dot(direction, at(*spring.b, arm_b) - at(*spring.a, arm_a));
+}
+
 void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
     spring.a->velocity_mps -= direction * (impulse_Ns * spring.a->inverse_mass);
     spring.b->velocity_mps += direction * (impulse_Ns * spring.b->inverse_mass);
@@ -108,11 +128,8 @@ void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
 void SpringLine::push_steadily(JointSpring& spring, double impulse_Ns) const {
     spring.kept_Ns += impulse_Ns;
     if (spring.unresolved) return push(spring, impulse_Ns);
-    const double least_Ns = std::min(std::abs(spring.kept_Ns), std::abs(spring.before_Ns));
-    const double steady_Ns = least_Ns - std::abs(spring.kept_Ns - spring.before_Ns);
-    const double lasting_Ns = std::copysign(std::max(steady_Ns, 0.0), spring.kept_Ns);
     push(spring, impulse_Ns);
-    set_ahead(spring, lasting_Ns);
+    set_ahead(spring, lasting_part(spring.kept_Ns, spring.before_Ns));
 }
 
 void SpringLine::take_back_ahead(JointSpring& spring) const {
@@ -124,9 +141,13 @@ void SpringLine::set_ahead(JointSpring& spring, double ahead_Ns) const {
     spring.ahead_Ns = ahead_Ns;
     push(spring, more_Ns);
     // Twice: the motion's speed is without the half of a steady change.
+    add_steady_change(spring, 2 * more_Ns);
+}
+
+void SpringLine::add_steady_change(const JointSpring& spring, double impulse_Ns) const {
     const auto add = [&](SolverBody& body, double per_mass, const Vec3d& response) {
-        body.velocity_increment_mps += Vec3(direction * (2 * more_Ns * per_mass));
-        body.spin_increment_radps += Vec3(response * (2 * more_Ns));
+        body.velocity_increment_mps += Vec3(direction * (impulse_Ns * per_mass));
+        body.spin_increment_radps += Vec3(response * impulse_Ns);
     };
     add(*spring.a->body, -spring.a->inverse_mass, response_a);
     add(*spring.b->body, spring.b->inverse_mass, response_b);
@@ -179,14 +200,15 @@ void push_soft_spring(JointSpring& spring,
     const SpringLine line(spring);
     if (!(line.inverse_mass > 0)) return;
     const auto damp = [&] {
-        if (!(spring.damping_Nspm > 0)) return;
+        if (!(spring.damping_Nspm > 0)) return 0.0;
         const double lost = -portable_expm1(-spring.damping_Nspm * line.inverse_mass * duration_s) /
                             line.inverse_mass;
         const double impulse = -line.mean_speed(spring) * lost;
         line.push(spring, impulse);
         add_to_totals(spring, line, impulse, group);
+        return impulse;
     };
-    if (after_motion) damp();
+    if (after_motion) spring.damped_Ns = damp();
     // Explicit pushes make a period too short by the factor whose square this is. What is at rest
     // under its own weight is not changed: there the sum of the forces is zero.
     const double lost =
@@ -200,7 +222,11 @@ void push_soft_spring(JointSpring& spring,
     spring.kept_Ns = spring.ahead_Ns = 0;
     line.push_steadily(spring, impulse);
     add_to_totals(spring, line, impulse, group);
-    damp();
+    const double damped_Ns = damp();
+    // At a steady speed the half after the motion sees less of what presses.
+    const double quarter = 0.25 * spring.damping_Nspm * line.inverse_mass * substep_s;
+    const double later_Ns = damped_Ns * (1 - quarter) / (1 + quarter);
+    line.set_ahead(spring, spring.ahead_Ns + lasting_part(later_Ns, spring.damped_Ns));
 }
 
 StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s) {
@@ -225,12 +251,34 @@ StiffRow damping_row(const JointSpring& spring, double inverse_mass, double subs
     return {.bias_mps = 0, .compliance = compliance};
 }
 
+bool is_overdamped(const JointSpring& spring, const SpringLine& line) {
+    return !spring.turns && line.inverse_mass > 0 &&
+           spring.damping_Nspm * spring.damping_Nspm * line.inverse_mass > 4 * spring.stiffness_Npm;
+}
+
+StiffRow overdamped_row(const JointSpring& spring, const SpringLine& line, double substep_s) {
+    const double per_speed = spring.damping_Nspm + spring.stiffness_Npm * substep_s;
+    return {.bias_mps = spring.stiffness_Npm * (line.length_m - spring.rest_m) / per_speed,
+            .compliance = 1 / (substep_s * per_speed)};
+}
+
+void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s) {
+    const SpringLine line(spring);
+    const double start_mps = line.start_speed(spring, substep_s);
+    const double passing_mps = start_mps - lasting_part(start_mps, spring.before_mps);
+    const double decay =
+        (spring.damping_Nspm + spring.stiffness_Npm * substep_s) * line.inverse_mass * substep_s;
+    const double passing_Ns = -passing_mps / line.inverse_mass * decay / (1 + decay);
+    spring.before_mps = start_mps;
+    if (has_steady_change(*spring.a->body) || has_steady_change(*spring.b->body))
+        line.add_steady_change(spring, impulse_Ns - passing_Ns);
+}
+
 BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
     BodyVelocities start{body.velocity_mps, body.spin_radps};
     if (!body.movable) return start;
     const SolverBody& of = *body.body;
-    const bool steady =
-        of.velocity_increment_mps != Vec3{0, 0, 0} || of.spin_increment_radps != Vec3{0, 0, 0};
+    const bool steady = has_steady_change(of);
     const auto half = static_cast<Real>(substep_s / 2);
     start.velocity_mps -= Vec3d(steady ? of.velocity_increment_mps : of.acceleration_mps2 * half);
     start.spin_radps -=
@@ -238,17 +286,17 @@ BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
     return start;
 }
 
-void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
+void damp_stiff_spring(JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
     if (!(line.inverse_mass > 0) || !(spring.damping_Nspm > 0)) return;
-    const auto at = [&](const JointBody& body, const Vec3d& arm) {
-        const BodyVelocities start = start_of_substep(body, group.substep_s);
-        return start.velocity_mps + glm::cross(start.spin_radps, arm);
-    };
+    spring.overdamped = is_overdamped(spring, line);
+    const StiffRow row = spring.overdamped
+                             ? overdamped_row(spring, line, group.substep_s)
+                             : damping_row(spring, line.inverse_mass, group.substep_s);
     const double speed =
-        glm::dot(line.direction, at(*spring.b, line.arm_b) - at(*spring.a, line.arm_a));
-    const StiffRow row = damping_row(spring, line.inverse_mass, group.substep_s);
-    const double impulse = -speed / (line.inverse_mass + row.compliance);
+        spring.overdamped ? line.speed(spring) : line.start_speed(spring, group.substep_s);
+    const double impulse = -(speed + row.bias_mps) / (line.inverse_mass + row.compliance);
+    if (spring.overdamped) keep_as_steady(spring, impulse, group.substep_s);
     line.push(spring, impulse);
     add_to_totals(spring, line, impulse, group);
 }
@@ -260,7 +308,7 @@ void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group
 
 void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
     const SpringLine line(spring);
-    if (!(line.inverse_mass > 0) || !(spring.stiffness_Npm > 0)) return;
+    if (!(line.inverse_mass > 0) || !(spring.stiffness_Npm > 0) || spring.overdamped) return;
     const StiffRow row = push_row(spring, line, duration_s);
     const double more =
         -(line.mean_speed(spring) + row.bias_mps + row.compliance * spring.kept_Ns) /

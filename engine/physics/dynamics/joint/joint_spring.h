@@ -6,7 +6,8 @@
 // before is pushed ahead until the bodies move: what rests on a spring is pushed by all of it when contacts are solved. Stiff ones follow the implicit midpoint rule, solved
 // together with the joints: it keeps the energy. Their damping comes before it and only ever takes
 // energy. Springs that swing more than three times within a sub-step follow implicit Euler, which
-// takes that swing away: what a turn of bodies stretches them by in a sub-step would swing on.
+// takes that swing away: what a turn of bodies stretches them by in a sub-step would swing on. Overdamped stiff ones are one row for spring
+// and damping: what creeps does so at the speed at which they balance all else.
 #pragma once
 
 #include "engine/physics/dynamics/joint/joint_group.h"
@@ -26,8 +27,11 @@ struct JointSpring {
     double kept_Ns{0};       ///< half of the sub-step's push
     double ahead_Ns{0};      ///< of the other half: before the motion
     double before_Ns{0};     ///< half of the push of the sub-step before
+    double damped_Ns{0};     ///< soft: what damping took after the motion of the sub-step before
+    double before_mps{0};    ///< overdamped: its speed as the sub-step before began
     double extension_m{0};   ///< stiff: when the motion began
     bool turns{false};       ///< stiff: solved at the end of the motion
+    bool overdamped{false};  ///< stiff: one row for spring and damping, all of it before the motion
     bool unresolved{false};  ///< stiff: all of its push comes before the motion
 };
 
@@ -45,15 +49,16 @@ struct SpringLine {
     double speed(const JointSpring& spring) const;
     /// The speed without half of what steady forces change in the sub-step: that of the motion.
     double mean_speed(const JointSpring& spring) const;
+    double start_speed(const JointSpring& spring, double substep_s) const;
     void push(const JointSpring& spring, double impulse_Ns) const;
     /// More of the half before the motion, and of the other half what hardly changed since the sub-step before, as a steady
     /// change: what a swinging spring pushes ahead of an impact would give energy. Of one that is unresolved nothing is ahead.
     void push_steadily(JointSpring& spring, double impulse_Ns) const;
     /// Takes what was pushed ahead back: it is pushed when the bodies have moved.
     void take_back_ahead(JointSpring& spring) const;
-
-private:
     void set_ahead(JointSpring& spring, double ahead_Ns) const;
+    /// What acts on the bodies all through the sub-step.
+    void add_steady_change(const JointSpring& spring, double impulse_Ns) const;
 };
 
 /// Whether the spring turns its bodies so much within a sub-step that its line at the start says too
@@ -84,11 +89,20 @@ StiffRow push_row(const JointSpring& spring, const SpringLine& line, double dura
 /// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
 /// without damping.
 StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s);
+/// Whether damping wins: bodies creep, at the speed at which it is as strong as what else acts.
+bool is_overdamped(const JointSpring& spring, const SpringLine& line);
+/// All that an overdamped spring does in a whole sub-step (implicit Euler), for the present speed: with what steady forces
+/// and the impulses of before changed already, so that a light body that is pressed on a damper moves as fast as the load
+/// asks for.
+StiffRow overdamped_row(const JointSpring& spring, const SpringLine& line, double substep_s);
+/// Counts what of that push acts all through the sub-step as a steady change: all but what damps a speed that was another in
+/// the sub-step before. Before it is pushed.
+void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s);
 /// The velocities that the sub-step began with: without what the caller's accelerations did since.
 BodyVelocities start_of_substep(const JointBody& body, double substep_s);
 
 /// A stiff spring by itself: its damping, its half push before the motion.
-void damp_stiff_spring(const JointSpring& spring, JointGroup& group);
+void damp_stiff_spring(JointSpring& spring, JointGroup& group);
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
 /// What contacts changed since the half push before the motion, the push takes in view.
 void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);

@@ -23,7 +23,9 @@ JointSpring spring_of(std::size_t index, JointGroup& group) {
             .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
             .damping_Nspm = static_cast<double>(joint.damping_Nspm),
             .rest_m = static_cast<double>(joint.rest_length_m),
-            .before_Ns = static_cast<double>(joint.bound_load[0]) * group.substep_s / 2};
+            .before_Ns = static_cast<double>(joint.bound_load[0]) * group.substep_s / 2,
+            .damped_Ns = static_cast<double>(joint.bound_load[1]) * group.substep_s / 2,
+            .before_mps = static_cast<double>(joint.bound_load[2])};
 }
 
 /// Springs that are forces.
@@ -265,12 +267,13 @@ void JointSystem::return_impulses() {
 
 void JointSystem::end_impacts() {
     impl_->group.collect_totals();
-    impl_->for_springs([](JointSpring& spring) { spring.before_Ns = 0; });
+    impl_->for_springs([](JointSpring& spring) { spring.before_Ns = spring.damped_Ns = 0; });
     for (ElasticBlock& block : impl_->stiff.blocks) block.before = {0, 0, 0};
 }
 
 void JointSystem::begin_motion(bool hold_steady_changes) {
     Impl& impl = *impl_;
+    hold_steady_changes |= std::ranges::any_of(impl.group.bounds, &JointBound::at_limit);
     if (hold_steady_changes && impl.is_direct()) impl.direct.hold_steady_changes(impl.group);
     bool any = false;
     impl.for_springs([&](const JointSpring& spring) { any = any || spring.ahead_Ns != 0; });
@@ -313,8 +316,11 @@ void JointSystem::finish() {
     impl.group.collect_totals();
     for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i);
     impl.for_springs([&](const JointSpring& spring) {
-        impl.group.joints[spring.joint].bound_load[0] =
-            static_cast<Real>(2 * spring.before_Ns / impl.group.substep_s);
+        auto& loads = impl.group.joints[spring.joint].bound_load;
+        const double per_s = 2 / impl.group.substep_s;
+        loads[0] = static_cast<Real>(spring.before_Ns * per_s);
+        loads[1] = static_cast<Real>(spring.damped_Ns * per_s);
+        loads[2] = static_cast<Real>(spring.before_mps);
     });
     for (const JointBound& bound : impl.group.bounds) {
         bound.store_load(impl.group.joints[bound.joint_index], impl.group.substep_s);

@@ -37,6 +37,24 @@ TEST(IslandSolver, AnIslandKeepsItsSubstepsForHalfASecondAfterItsLoad) {
     EXPECT_TRUE(test.world.state(under).awake);
 }
 
+// Only what contacts had carried for ten steps counted: for so long a body of 0.1 kg was pressed on with the sub-steps of its
+// weight.
+TEST(IslandSolver, WhatCallersPressWithCountsFromTheFirstStep) {
+    TestWorld test(WorldDef{.substeps = 2, .substeps_max = 16});
+    test.ground();
+    const BodyId block = test.add(
+        BoxShape{}, {0, 0.5_r, 0}, {.kind = BodyKind::Dynamic, .mass_kg = 1, .can_sleep = false});
+    test.run(1);
+    ASSERT_EQ(test.world.report().islands[0].substeps, 2);
+    test.world.apply_force(block, {0, 9, 0});  // carries most of it
+    test.world.step();
+    EXPECT_EQ(test.world.report().islands[0].substeps, 2);
+    test.world.apply_force(block, {0, -2000, 0});
+    test.world.step();
+    EXPECT_EQ(test.world.report().islands[0].reason, "load");
+    EXPECT_GE(test.world.report().islands[0].substeps, 8);
+}
+
 TEST(IslandSolver, WithoutAChoiceItIsFixed) {
     TestWorld test(in_small_steps(3));
     test.ground();
