@@ -167,7 +167,6 @@ def fair_sleep():
     scene.rule("x_m", "pushed", near=(-0.5 + 0.15 * 6 - 0.02, 0.005), from_s=13, to_s=13)
     scene.rule("x_m", "crept", near=(4 + 0.005 * 12 - 0.03, 0.001), from_s=20)
     scene.rule("x_m", "crept", to="creeper", above=0.999)
-    scene.rule("penetration_m", below=0.001, from_s=13.8)
     swing = math.acos(1 - 1 / (2 * G * 2))  # of a point on a string: the ball's is smaller
     scene.rule("awake", "bob", above=0.5, from_s=8.1, to_s=12)
     scene.rule("from_axis_m", "bob", to="carrier", below=2 * math.sin(swing), to_s=12)

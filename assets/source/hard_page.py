@@ -58,7 +58,7 @@ KNOWN_RED = {
         ("penetration_m at most 0.01", 0.0187, "limbs as the pit fills, and where others lie on them"),
     ],
     "H43": [
-        ("penetration_m at most 0.02", 0.0208, "the first of the chain, in the steps in which it is pressed hardest"),
+        ("penetration_m at most 0.02", 0.0206, "the first of the chain, in the steps in which it is pressed hardest"),
     ],
     "H44": [
         (BRAKED, 0.0663, "the chain as it comes back from 100 m"),
@@ -102,9 +102,6 @@ KNOWN_RED = {
     "D15": [
         ("penetration_m at most 0.002", 0.00405, "two bodies that meet at 600 m/s, for a step"),
     ],
-    "D22": [
-        ("penetration_m at most 0.001, from 13.8 s", 0.00111, "a creeping block in a sleeping cube"),
-    ],
 }
 
 LEFT_OUT = """
@@ -144,6 +141,7 @@ A looser limit is a commit of its own that says so, and a line here.
 | `shader_blocks_gl_test.cpp`, variants of the mesh shader | every material, light and air | every material and light, the three kinds of air in turns | the whole product took longer than the test may; air and light meet in one material or another |
 | `known_red_accuracy.cpp`, A20 of a ball with e = 0.3 from 5 m, fourth apex (0.3 mm) | 0.24 of it; with 4 sub-steps 0.5 % | 0.46; 0.71 | a fast ball goes on after its impact within the step, and meets the ground at other moments of its sub-steps than before |
 | H12 (nightly) | inside its rules | mean displacement 0.258 m of 0.1 | came with contacts of our own, and went on from 0.2 with impacts that reach the ground within a sub-step; not explained further |
+| D22, depth of all contacts from 13.8 s on | at most 1 mm | 2 mm, as of all of the case | the case asks for the depth of the creeping block in the cube, which `x_m of crept against creeper at least 0.999` measures (it is 0.15 mm); that rule measured how deep the rider rests in the cube below: 1.07 mm, load / (reduced mass (2 π f)²) |
 | H15, known red: penetration | reaches 2.1 mm | 5.2 mm | the topmost pair of cards stays on now, and presses while it settles; before it slid off |
 | D11, known red: penetration | reaches 1.04 cm | 1.36 cm | points that hover over other slopes give way to those that touch (`point_choice.h`), by which D12 holds: a long box that lands looks ahead less |
 | `garden_test.cpp`, the front door that a thrown crate opens | turns faster than 4.53 rad/s | than 3.92, and slower than 5.28 | the first number left the crate's own inertia out: a crate that meets the leaf flat turns with it |
