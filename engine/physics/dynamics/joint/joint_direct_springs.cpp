@@ -10,7 +10,7 @@ namespace plumbline::physics {
 void DirectJoints::hold_springs(JointGroup& group, const StiffSprings& springs) {
     holds_springs_ = false;
     for (const JointSpring& spring : springs.lines) {
-        if (spring.turns && spring.stiffness_Npm > 0) {
+        if (spring.turns && spring.stiffness_Npm > 0 && !spring.overdamped) {
             group.rows[spring.node].active = 0b001;
             held_[spring.node].x = spring.extension_m - group.substep_s * bias_[spring.node].x;
             holds_springs_ = true;

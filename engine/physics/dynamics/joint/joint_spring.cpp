@@ -234,10 +234,7 @@ StiffRow push_row(const JointSpring& spring, const SpringLine& line, double dura
     // its end, for all of the sub-step.
     if (spring.unresolved) duration_s *= 2;
     const double extension_m = line.length_m - spring.rest_m;
-    double per_speed = spring.stiffness_Npm * duration_s;
-    // Where damping wins, bodies creep: the speed at which both are equal is what moves them.
-    const double damping = spring.damping_Nspm;
-    if (damping * damping * line.inverse_mass > 4 * spring.stiffness_Npm) per_speed += damping;
+    const double per_speed = spring.stiffness_Npm * duration_s;
     return {.bias_mps = spring.stiffness_Npm * extension_m / per_speed,
             .compliance = 1 / (duration_s * per_speed)};
 }
@@ -252,7 +249,7 @@ StiffRow damping_row(const JointSpring& spring, double inverse_mass, double subs
 }
 
 bool is_overdamped(const JointSpring& spring, const SpringLine& line) {
-    return !spring.turns && line.inverse_mass > 0 &&
+    return line.inverse_mass > 0 &&
            spring.damping_Nspm * spring.damping_Nspm * line.inverse_mass > 4 * spring.stiffness_Npm;
 }
 

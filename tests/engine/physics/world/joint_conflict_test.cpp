@@ -143,6 +143,30 @@ TEST(SpringsOffTheCentre, GainNothing) {
     }
 }
 
+// Their damping acted twice: a bar sank half as fast.
+TEST(SpringsOffTheCentre, CreepAtTheRateOfTheirDamping) {
+    constexpr double kStiffness_Npm = 1e4;  // of both springs
+    constexpr double kDamping_Nspm = 1e4;
+    TestWorld test(default_steps());
+    const BodyId bar = test.add(BoxShape{.size_m = {1, 0.1_r, 0.1_r}},
+                                {0, 0, 0},
+                                {.kind = BodyKind::Dynamic, .mass_kg = 1, .can_sleep = false});
+    for (const Real x : {-0.45_r, 0.45_r}) {
+        join(test,
+             {.kind = JointKind::Spring,
+              .a = bar,
+              .anchor_a_world = {x, 0, 0},
+              .anchor_b_world = {x, 10, 0},
+              .stiffness_Npm = static_cast<Real>(kStiffness_Npm / 2),
+              .damping_Nspm = static_cast<Real>(kDamping_Nspm / 2),
+              .rest_length_m = 10});
+    }
+    test.run(1);
+    // The fast mode is over within a millisecond.
+    const double sunk_m = kG / kStiffness_Npm * (1 - std::exp(-kStiffness_Npm / kDamping_Nspm));
+    EXPECT_NEAR(-test.at(bar).y / sunk_m, 1, 0.015);
+}
+
 TEST(SpringsOffTheCentre, KeepBodiesThatTouchInTheWorld) {
     Randomly random(5);
     for (int scene = 0; scene < 40; ++scene) {
