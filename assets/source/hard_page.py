@@ -58,7 +58,7 @@ KNOWN_RED = {
         ("penetration_m at most 0.01", 0.0187, "limbs as the pit fills, and where others lie on them"),
     ],
     "H43": [
-        ("penetration_m at most 0.02", 0.0206, "the first of the chain, in the steps in which it is pressed hardest"),
+        ("penetration_m at most 0.02", 0.0207, "the first of the chain, in the steps in which it is pressed hardest"),
     ],
     "H44": [
         (BRAKED, 0.0663, "the chain as it comes back from 100 m"),
