@@ -6,10 +6,10 @@ import sys
 
 from hard_engines import NAMES
 
-KEPT = "assets/data/engine_cases.csv"  # cases that the table lacks stay as they are there
+KEPT = "assets/data/engine_cases.csv"  # runs that the table lacks stay as they are there
 table = json.load(open(sys.argv[1], encoding="utf-8"))
-ran = {run["case"] for run in table["runs"]}
-kept = [line for line in csv.reader(open(KEPT, encoding="utf-8")) if line[0] not in ran and line[0] != "case"]
+ran = {(run["case"], run["solver"]) for run in table["runs"]}
+kept = [line for line in csv.reader(open(KEPT, encoding="utf-8")) if (line[0], line[1]) not in ran and line[0] != "case"]
 out = csv.writer(open(KEPT, "w", encoding="utf-8", newline=""), lineterminator="\n")
 out.writerow(["case", "engine", "verdict", "measure", "value", "why"])
 lines = kept
