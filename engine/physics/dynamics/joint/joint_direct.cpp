@@ -123,6 +123,7 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
 
 void DirectJoints::hold_steady_changes(JointGroup& group) {
     group.with_motion(steady_change_of, [&] {
+        group.push_constants();
         for (const JointComponent& component : group.topology->components)
             group.hold_rows(matrix_, component, x_);
         group.row_solves += 3 * group.rows.size();

@@ -120,6 +120,15 @@ void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
     }
 }
 
+void JointGroup::push_constants() {
+    for (const JointBound& bound : bounds) {
+        if (bound.at_bound()) continue;
+        Vec3d push{0, 0, 0};
+        push[bound.row] = bound.constant_impulse();
+        rows[bound.node].push(bodies, push);
+    }
+}
+
 bool JointGroup::update_steps(std::span<JointBound> component_bounds, int round) {
     bool changed = false;
     for (JointBound& bound : component_bounds) {

@@ -71,6 +71,8 @@ struct JointGroup {
     std::span<JointBound> bounds_of(const JointComponent& component);
     /// Gives rows that have all of a constant impulse, or none of it, what they lack.
     void push_constant_bounds(std::span<JointBound> component_bounds);
+    /// Within with_motion(): what motors that push with all they have change all through the sub-step; nothing is counted.
+    void push_constants();
     /// Whether a bound was on a wrong step and is on another now. In late rounds only the first wrong
     /// one changes, so that none chase each other.
     bool update_steps(std::span<JointBound> component_bounds, int round);
