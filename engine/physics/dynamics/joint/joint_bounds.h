@@ -45,11 +45,7 @@ struct JointBound {
     bool eased{false};  ///< ease_push() slowed it down in this sub-step
 
     bool at_bound() const { return step != BoundStep::Forward && step != BoundStep::Backward; }
-    /// A limit that is reached, or a motor that gives all it has.
-    bool pushes_steadily() const {
-        const bool at_limit = step == BoundStep::Lower || step == BoundStep::Upper;
-        return at_limit || (!at_bound() && motor_impulse > 0);
-    }
+    bool at_limit() const { return step == BoundStep::Lower || step == BoundStep::Upper; }
     /// The speed to solve for when at_bound().
     double wanted_speed() const;
     /// The impulse when not.

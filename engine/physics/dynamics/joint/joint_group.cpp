@@ -120,9 +120,29 @@ void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
     }
 }
 
+/// A motor along an axis that gives all it has. One about an axis changes no place, and a free turn starts with the whole spin.
+bool JointGroup::drives_along(const JointBound& bound) const {
+    return !bound.at_bound() && bound.motor_impulse > 0 &&
+           rows[bound.node].kind == NodeKind::Across;
+}
+
+bool JointGroup::pushes_steadily() {
+    const auto drives = [this](const JointBound& bound) { return drives_along(bound); };
+    if (std::ranges::any_of(bounds, drives)) return true;
+    if (std::ranges::none_of(bounds, &JointBound::at_limit)) return false;
+    bool is_far = false;
+    with_motion(steady_change_of, [&] {
+        for (const JointBound& bound : bounds) {
+            const double speed = rows[bound.node].speeds(bodies)[bound.row];
+            is_far = is_far || (bound.at_limit() && std::abs(speed) > kPush_mps);
+        }
+    });
+    return is_far;
+}
+
 void JointGroup::push_constants() {
     for (const JointBound& bound : bounds) {
-        if (bound.at_bound()) continue;
+        if (!drives_along(bound)) continue;
         Vec3d push{0, 0, 0};
         push[bound.row] = bound.constant_impulse();
         rows[bound.node].push(bodies, push);

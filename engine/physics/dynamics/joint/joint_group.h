@@ -71,8 +71,11 @@ struct JointGroup {
     std::span<JointBound> bounds_of(const JointComponent& component);
     /// Gives rows that have all of a constant impulse, or none of it, what they lack.
     void push_constant_bounds(std::span<JointBound> component_bounds);
-    /// Within with_motion(): what motors that push with all they have change all through the sub-step; nothing is counted.
+    /// Within with_motion(): what motors along an axis that push with all they have change all through the sub-step; nothing is
+    /// counted.
     void push_constants();
+    /// Whether such a motor pushes, or what acts steadily would take a row off its limit further than a position step comes back.
+    bool pushes_steadily();
     /// Whether a bound was on a wrong step and is on another now. In late rounds only the first wrong
     /// one changes, so that none chase each other.
     bool update_steps(std::span<JointBound> component_bounds, int round);
@@ -123,6 +126,7 @@ private:
         std::uint32_t member{0};  ///< in `bodies`
     };
 
+    bool drives_along(const JointBound& bound) const;
     void find_pieces();
     /// Whether a unit impulse on this side meets its whole piece.
     bool answers_as_piece(const Side& side) const;
