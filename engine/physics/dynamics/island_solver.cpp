@@ -42,6 +42,10 @@ SolverBody posed_body(const BodyRecord& record) {
     return body;
 }
 
+Vec3 callers_force_N(const BodyRecord& record) {
+    return record.applied.force_N - record.traits.weight_N;
+}
+
 SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double h) {
     SolverBody body = posed_body(record);
     body.inverse_mass = record.motion->inverse_mass;
@@ -50,8 +54,7 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     body.isotropic_inertia = record.traits.isotropic_inertia;
     body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.traits.gravity_factor;
     if (record.applied.by_caller) {
-        body.acceleration_mps2 +=
-            (record.applied.force_N - record.traits.weight_N) * record.motion->inverse_mass;
+        body.acceleration_mps2 += callers_force_N(record) * record.motion->inverse_mass;
         body.angular_acceleration_radps2 = angular_gain(*record.motion, record.applied.torque_Nm);
     }
     if (record.traits.linear_damping_per_s > 0)
@@ -69,7 +72,7 @@ Real pressed_N(const Manifold& manifold) {
     const Vec3& normal = manifold.points.front().normal_world;
     const auto towards = [](const BodyRecord& record, const Vec3& direction) {
         if (!pushable(record) || !record.applied.by_caller) return Real{0};
-        return glm::dot(record.applied.force_N - record.traits.weight_N, direction);
+        return glm::dot(callers_force_N(record), direction);
     };
     return std::max(towards(*manifold.a, -normal), towards(*manifold.b, normal));
 }

@@ -103,7 +103,7 @@ double JointBound::bounded_correction(double deviation, double substep_s) {
 
 void JointBound::release() {
     position = std::clamp(0.0, lower, upper);
-    if (step == BoundStep::Lower || step == BoundStep::Upper) step = BoundStep::Forward;
+    if (at_limit()) step = BoundStep::Forward;
 }
 
 void JointBound::before_motion(double substep_s) {

@@ -273,8 +273,8 @@ void JointSystem::end_impacts() {
 
 void JointSystem::begin_motion(bool hold_steady_changes) {
     Impl& impl = *impl_;
-    hold_steady_changes = hold_steady_changes || impl.group.pushes_steadily();
-    if (hold_steady_changes && impl.is_direct()) impl.direct.hold_steady_changes(impl.group);
+    if (impl.is_direct() && (hold_steady_changes || impl.group.pushes_steadily()))
+        impl.direct.hold_steady_changes(impl.group);
     bool any = false;
     impl.for_springs([&](const JointSpring& spring) { any = any || spring.ahead_Ns != 0; });
     if (!any && impl.stiff.blocks.empty()) return;

@@ -40,8 +40,8 @@ struct SolverJoint {
 
     // Kept by the caller from step to step, in N and N m: mean loads of sub-steps, which fit sub-steps
     // of any length.
-    std::array<Real, 3> bound_load{
-        0, 0, 0};  ///< warm start of limits and motor; a spring's latest push in the first
+    /// Warm start of limits and motor; of a spring its latest push, what damping took of it, and its speed in m/s.
+    std::array<Real, 3> bound_load{0, 0, 0};
     /// Force and torque: warm start of the iterative method; with the direct one those on b, by which
     /// the next step knows how hard bodies are pulled.
     std::array<Real, 6> mean_load{0, 0, 0, 0, 0, 0};
