@@ -66,10 +66,6 @@ KNOWN_RED = {
     "H54b": [
         ("penetration_m at most 0.004", 0.0117, "plates that land on an edge, for a step"),
     ],
-    "H59": [
-        ("spin_radps of struck at most 45, from 0.5 s", 135.2,
-         "thrown off the post at 28 m/s, the rod lands lengthwise before the end and rolls about its own axis"),
-    ],
     "H66": [
         (BRAKED, 55.5, "balls in one spot push each other in rows, and the guard takes what that gives them out"),
     ],

@@ -85,8 +85,8 @@ void FieldForces::push(std::span<SolverBody> bodies, const FieldTime& time) {
     for (const Member& member : members_) {
         SolverBody& body = bodies[member.body];
         body.velocity_increment_mps += Vec3(member.state.impulse_Ns / member.state.mass_kg);
-        body.field_gain_radps = Vec3(spun_up_by(member.state, member.state.angular_impulse_Nms));
-        body.spin_increment_radps += body.field_gain_radps;
+        body.spin_increment_radps +=
+            Vec3(spun_up_by(member.state, member.state.angular_impulse_Nms));
     }
 }
 

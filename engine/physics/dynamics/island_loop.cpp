@@ -73,8 +73,8 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
         body.delta_rotation = glm::normalize(turn_by(mean, h) * body.delta_rotation);
         return;
     }
-    // What fields change the spin by, they do before and after the free turn by half: else what swings in one would be damped.
-    const Vec3d half_gain = 0.5 * Vec3d(body.field_gain_radps);
+    // Steady changes act before and after the free turn by half: else what swings in a field would be damped.
+    const Vec3d half_gain = 0.5 * Vec3d(body.spin_increment_radps);
     const FreeTurn start{Quatd(body.delta_rotation) * body.start_orientation,
                          Vec3d(body.spin_radps) - half_gain};
     const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h));

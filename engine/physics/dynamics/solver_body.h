@@ -48,9 +48,8 @@ struct alignas(64) SolverBody {
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal, body axes; 0: immovable
     bool depenetrated{false};     ///< deep penetration pushed it in this step
     Real start_speed_mps{0};
-    bool isotropic_inertia{true};    ///< all three moments equal: inverse_inertia never changes
-    bool jointed{false};             ///< movable, and a joint holds it
-    Vec3 field_gain_radps{0, 0, 0};  ///< what force fields change the spin by in this sub-step
+    bool isotropic_inertia{true};  ///< all three moments equal: inverse_inertia never changes
+    bool jointed{false};           ///< movable, and a joint holds it
 
     bool movable() const { return inverse_mass > 0; }
     double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one

@@ -197,11 +197,14 @@ TEST(Life, H88TinyStepsDoNoHarm) {
 // --- H89: the same again
 
 /// Boxes and balls above each other, or, with `states`, as another heap stands now.
-void build_heap(ScenarioWorld& world, bool backwards, const std::vector<BodyState>& states = {}) {
+void build_heap(ScenarioWorld& world,
+                bool backwards,
+                const std::vector<BodyState>& states = {},
+                double aside_m = 0) {
     world.floor();
     std::vector<Vec3d> places;
     for (int i = 0; i < 40; ++i)
-        places.push_back({0.3 * (i % 5) - 0.6, 1 + 0.7 * i, 0.37 * (i % 3)});
+        places.push_back({0.3 * (i % 5) - 0.6 + aside_m * (i % 7), 1 + 0.7 * i, 0.37 * (i % 3)});
     if (backwards) std::reverse(places.begin(), places.end());
     for (std::size_t i = 0; i < places.size(); ++i) {
         BodyDef def{.kind = BodyKind::Dynamic, .mass_kg = 1, .can_sleep = false};
@@ -254,18 +257,24 @@ TEST(Life, H89ARebuiltWorldGoesOnAsAFreshOneWould) {
                    0);
 }
 
-TEST(Life, H89OrderOfMakingChangesNothingThatCounts) {
-    const auto height = [](bool backwards) {
+/// The mean height of a body, of a statistic of heaps: where one body lies is chaos.
+double heap_height_m(bool backwards) {
+    constexpr int kHeaps = 12;
+    double sum = 0;
+    for (int k = 0; k < kHeaps; ++k) {
         ScenarioWorld world(balanced());
-        build_heap(world, backwards);
+        build_heap(world, backwards, {}, 1e-3 * k);
         world.run(8);
-        double sum = 0;
-        for (const BodyId id : world.movers) sum += world.at(id).y;
-        return sum / static_cast<double>(world.movers.size());
-    };
-    // Mean height of the heap: a statistic, not a trajectory.
-    expect_at_most(
-        "H89 heap made backwards, mean height", std::abs(height(true) / height(false) - 1), 0.15);
+        for (const BodyId id : world.movers)
+            sum += world.at(id).y / static_cast<double>(world.movers.size());
+    }
+    return sum / kHeaps;
+}
+
+TEST(Life, H89OrderOfMakingChangesNothingThatCounts) {
+    expect_at_most("H89 heaps made backwards, mean height",
+                   std::abs(heap_height_m(true) / heap_height_m(false) - 1),
+                   0.1);
 }
 
 }  // namespace

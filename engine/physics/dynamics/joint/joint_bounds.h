@@ -45,6 +45,8 @@ struct JointBound {
     bool eased{false};  ///< ease_push() slowed it down in this sub-step
 
     bool at_bound() const { return step != BoundStep::Forward && step != BoundStep::Backward; }
+    /// A motor that gives all it has.
+    bool drives() const { return !at_bound() && motor_impulse > 0; }
     bool at_limit() const { return step == BoundStep::Lower || step == BoundStep::Upper; }
     /// The speed to solve for when at_bound().
     double wanted_speed() const;

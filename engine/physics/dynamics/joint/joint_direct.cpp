@@ -124,11 +124,39 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
 void DirectJoints::hold_steady_changes(JointGroup& group) {
     group.with_motion(steady_change_of, [&] {
         group.push_constants();
-        for (const JointComponent& component : group.topology->components)
-            group.hold_rows(matrix_, component, x_);
-        group.row_solves += 3 * group.rows.size();
+        taken_.clear();
+        for (const JointBody& body : group.bodies)
+            taken_.push_back({body.velocity_mps, body.spin_radps});
+        hold_all(group);
+        for (std::size_t i = 0; i < taken_.size(); ++i) {
+            taken_[i].velocity_mps -= group.bodies[i].velocity_mps;
+            taken_[i].spin_radps -= group.bodies[i].spin_radps;
+        }
         group.keep_as_steady_changes();
     });
+}
+
+void DirectJoints::hold_all(JointGroup& group) {
+    for (const JointComponent& component : group.topology->components)
+        group.hold_rows(matrix_, component, x_);
+    group.row_solves += 3 * group.rows.size();
+}
+
+void DirectJoints::hold_second_half(JointGroup& group) {
+    if (taken_.empty()) return;
+    const auto taken_of = [&](const JointBody& body) {
+        return taken_[static_cast<std::size_t>(&body - group.bodies.data())];
+    };
+    group.with_motion(taken_of, [&] {
+        hold_all(group);
+        for (std::size_t i = 0; i < taken_.size(); ++i)
+            taken_[i] = {group.bodies[i].velocity_mps, group.bodies[i].spin_radps};
+    });
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+        group.bodies[i].velocity_mps += 0.5 * taken_[i].velocity_mps;
+        group.bodies[i].spin_radps += 0.5 * taken_[i].spin_radps;
+    }
+    taken_.clear();
 }
 
 void DirectJoints::correct_positions(JointGroup& group, StiffSprings& springs) {

@@ -30,6 +30,9 @@ public:
     const BlockLdlt& matrix() const { return matrix_; }
     /// As JointSystem::begin_motion().
     void hold_steady_changes(JointGroup& group);
+    /// Half of what that took acts at the pose after the motion, where the rows point elsewhere, as RATTLE has it (Andersen
+    /// 1983): else what swings would gain energy. After factor() there.
+    void hold_second_half(JointGroup& group);
     /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
     /// unresolved springs; velocities get what that took.
     void correct_positions(JointGroup& group, StiffSprings& springs);
@@ -45,6 +48,7 @@ private:
     void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
     void factor(const JointGroup& group, BlockLdlt& matrix);
     void push_solution(JointGroup& group, const JointComponent& component);
+    void hold_all(JointGroup& group);
     void hold_positions(JointGroup& group);
     void hold_springs(JointGroup& group, const StiffSprings& springs);
     void release_springs(JointGroup& group, StiffSprings& springs);
@@ -68,15 +72,16 @@ private:
     GeometricStiffness stiffness_;
     BlockLdlt matrix_;
     BlockLdlt spring_matrix_;
-    std::vector<double> floor_;       // of pivots
-    std::vector<Vec3d> x_;            // right-hand sides, then impulses along the rows
-    std::vector<Vec3d> step_;         // towards smaller errors, as x_
-    std::vector<Vec3d> wanted_;       // speeds of the rows that are at a bound
-    std::vector<Vec3d> held_;         // errors that positions are corrected to
-    std::vector<double> compliance_;  // of stiff springs, by node; 0: none
-    std::vector<Vec3d> bias_;         // of stiff springs, by node
-    bool springs_factored_{false};    // with all of them, at the rows' latest refresh
-    bool holds_springs_{false};       // positions are solved with unresolved springs' rows
+    std::vector<double> floor_;          // of pivots
+    std::vector<Vec3d> x_;               // right-hand sides, then impulses along the rows
+    std::vector<Vec3d> step_;            // towards smaller errors, as x_
+    std::vector<Vec3d> wanted_;          // speeds of the rows that are at a bound
+    std::vector<Vec3d> held_;            // errors that positions are corrected to
+    std::vector<BodyVelocities> taken_;  // by hold_steady_changes(), until the motion; else none
+    std::vector<double> compliance_;     // of stiff springs, by node; 0: none
+    std::vector<Vec3d> bias_;            // of stiff springs, by node
+    bool springs_factored_{false};       // with all of them, at the rows' latest refresh
+    bool holds_springs_{false};          // positions are solved with unresolved springs' rows
 };
 
 }  // namespace plumbline::physics

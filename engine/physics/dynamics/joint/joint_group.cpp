@@ -120,15 +120,8 @@ void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
     }
 }
 
-/// A motor along an axis that gives all it has. One about an axis changes no place, and a free turn starts with the whole spin.
-bool JointGroup::drives_along(const JointBound& bound) const {
-    return !bound.at_bound() && bound.motor_impulse > 0 &&
-           rows[bound.node].kind == NodeKind::Across;
-}
-
 bool JointGroup::pushes_steadily() {
-    const auto drives = [this](const JointBound& bound) { return drives_along(bound); };
-    if (std::ranges::any_of(bounds, drives)) return true;
+    if (std::ranges::any_of(bounds, &JointBound::drives)) return true;
     if (std::ranges::none_of(bounds, &JointBound::at_limit)) return false;
     bool is_far = false;
     with_motion(steady_change_of, [&] {
@@ -142,7 +135,7 @@ bool JointGroup::pushes_steadily() {
 
 void JointGroup::push_constants() {
     for (const JointBound& bound : bounds) {
-        if (!drives_along(bound)) continue;
+        if (!bound.drives()) continue;
         Vec3d push{0, 0, 0};
         push[bound.row] = bound.constant_impulse();
         rows[bound.node].push(bodies, push);

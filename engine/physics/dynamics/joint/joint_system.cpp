@@ -306,6 +306,9 @@ void JointSystem::refresh() {
     impl.group.refresh();
     if (impl.is_direct()) {
         impl.direct.factor(impl.group);
+        impl.group.read_velocities();
+        impl.direct.hold_second_half(impl.group);
+        impl.group.write_velocities();
     } else {
         impl.iterative.refresh(impl.group);
     }
