@@ -145,7 +145,7 @@ Fallen fall_of_a_ragdoll() {
     rig.floor();
     Ragdoll<AnyRig> ragdoll(rig, 1);
     Fallen fallen;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 1200; ++i) {
         rig.world.stepSimulation(kStep_s, 1, kStep_s);
         fallen.worst_gap_m = std::max(fallen.worst_gap_m, ragdoll.gap_m());
         fallen.deepest_m = std::max(fallen.deepest_m, -ragdoll.lowest_m());
