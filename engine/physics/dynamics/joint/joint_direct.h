@@ -65,7 +65,7 @@ private:
     void solve_springs(JointGroup& group);
     void hold_late(JointGroup& group, const StiffSprings& springs);
     static void activate(JointGroup& group, const StiffSprings& springs);
-    void damp_springs(JointGroup& group, std::span<JointSpring> springs, bool overdamped);
+    void push_overdamped(JointGroup& group, std::span<JointSpring> springs);
     void push_springs_only(JointGroup& group, std::span<JointSpring> springs, bool steadily);
     void push_blocks_only(JointGroup& group, std::span<ElasticBlock> blocks);
 

@@ -74,7 +74,7 @@ void DirectJoints::push_springs_only(JointGroup& group,
         if (steadily) {
             SpringLine(spring).push_steadily(spring, impulse_Ns);
         } else {
-            if (spring.overdamped && group.rows[spring.node].is_active(0))
+            if (group.rows[spring.node].is_active(0))
                 keep_as_steady(spring, impulse_Ns, group.substep_s);
             group.rows[spring.node].push(group.bodies, {impulse_Ns, 0, 0});
         }
@@ -83,32 +83,21 @@ void DirectJoints::push_springs_only(JointGroup& group,
     }
 }
 
-/// Of the others the speed that the sub-step began with, of overdamped ones the present one.
-void DirectJoints::damp_springs(JointGroup& group,
-                                std::span<JointSpring> springs,
-                                bool overdamped) {
+void DirectJoints::push_overdamped(JointGroup& group, std::span<JointSpring> springs) {
     bool any = false;
     for (JointSpring& spring : springs) {
         const SpringLine line(spring);
-        if (!(spring.damping_Nspm > 0) || !(line.inverse_mass > 0)) continue;
         spring.overdamped = is_overdamped(spring, line);
-        if (spring.overdamped != overdamped) continue;
+        if (!spring.overdamped) continue;
         any = true;
-        const StiffRow row = overdamped ? overdamped_row(spring, line, group.substep_s)
-                                        : damping_row(spring, line.inverse_mass, group.substep_s);
+        const StiffRow row = overdamped_row(spring, line, group.substep_s);
         bias_[spring.node].x = row.bias_mps;
         compliance_[spring.node] = row.compliance;
         group.rows[spring.node].active = 0b001;
     }
     if (!any) return;
     springs_factored_ = false;
-    const auto at_start = [&](const JointBody& body) {
-        return start_of_substep(body, group.substep_s);
-    };
-    if (overdamped)
-        solve_springs(group);
-    else
-        group.with_motion(at_start, [&] { solve_springs(group); });
+    solve_springs(group);
     push_springs_only(group, springs, false);
 }
 
@@ -151,7 +140,7 @@ void DirectJoints::push_springs(JointGroup& group, StiffSprings& springs, double
     if (springs.empty()) return;
     compliance_.assign(group.rows.size(), 0.0);
     bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
-    for (const bool overdamped : {false, true}) damp_springs(group, springs.lines, overdamped);
+    push_overdamped(group, springs.lines);
     springs_factored_ = false;
     for (JointSpring& spring : springs.lines) {
         spring.kept_Ns = spring.ahead_Ns = 0;

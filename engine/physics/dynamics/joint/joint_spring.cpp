@@ -13,8 +13,6 @@ constexpr double kMostExplicit = 0.25;
 constexpr double kMostImplicit = 400;
 /// ... nor is that of turning bodies above this of it, as it leaves the line that it is taken along.
 constexpr double kMostTurn = 1;
-/// Decays over a sub-step up to this are followed exactly.
-constexpr double kExactDecay = 0.5;
 
 /// At most what an impulse at the anchor changes the anchor's velocity by, whatever its direction.
 double most_inverse_mass(const SolverBody& body, const Vec3d& anchor) {
@@ -234,18 +232,9 @@ StiffRow push_row(const JointSpring& spring, const SpringLine& line, double dura
     // its end, for all of the sub-step.
     if (spring.unresolved) duration_s *= 2;
     const double extension_m = line.length_m - spring.rest_m;
-    const double per_speed = spring.stiffness_Npm * duration_s;
+    const double per_speed = spring.stiffness_Npm * duration_s + spring.damping_Nspm;
     return {.bias_mps = spring.stiffness_Npm * extension_m / per_speed,
             .compliance = 1 / (duration_s * per_speed)};
-}
-
-StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s) {
-    const double decay = spring.damping_Nspm * inverse_mass * substep_s;
-    // The exact decay of two free bodies; implicit Euler where it is nearly all in one sub-step:
-    // bodies that joints make heavier must not be stopped as if they were light.
-    const double compliance = decay < kExactDecay ? inverse_mass / portable_expm1(decay)
-                                                  : 1 / (spring.damping_Nspm * substep_s);
-    return {.bias_mps = 0, .compliance = compliance};
 }
 
 bool is_overdamped(const JointSpring& spring, const SpringLine& line) {
@@ -285,15 +274,12 @@ BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
 
 void damp_stiff_spring(JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
-    if (!(line.inverse_mass > 0) || !(spring.damping_Nspm > 0)) return;
     spring.overdamped = is_overdamped(spring, line);
-    const StiffRow row = spring.overdamped
-                             ? overdamped_row(spring, line, group.substep_s)
-                             : damping_row(spring, line.inverse_mass, group.substep_s);
-    const double speed =
-        spring.overdamped ? line.speed(spring) : line.start_speed(spring, group.substep_s);
-    const double impulse = -(speed + row.bias_mps) / (line.inverse_mass + row.compliance);
-    if (spring.overdamped) keep_as_steady(spring, impulse, group.substep_s);
+    if (!spring.overdamped) return;
+    const StiffRow row = overdamped_row(spring, line, group.substep_s);
+    const double impulse =
+        -(line.speed(spring) + row.bias_mps) / (line.inverse_mass + row.compliance);
+    keep_as_steady(spring, impulse, group.substep_s);
     line.push(spring, impulse);
     add_to_totals(spring, line, impulse, group);
 }

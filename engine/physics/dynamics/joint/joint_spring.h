@@ -84,11 +84,8 @@ struct StiffRow {
     double bias_mps{0};
     double compliance{0};  ///< 1/kg
 };
-/// Its push before the motion; `speed` is the mean one, of the motion. `duration_s`: half a sub-step.
+/// Its push and damping before the motion (implicit midpoint); `speed` is the mean one, of the motion. `duration_s`: half a sub-step.
 StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s);
-/// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
-/// without damping.
-StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s);
 /// Whether damping wins: bodies creep, at the speed at which it is as strong as what else acts.
 bool is_overdamped(const JointSpring& spring, const SpringLine& line);
 /// All that an overdamped spring does in a whole sub-step (implicit Euler), for the present speed: with what steady forces
@@ -101,7 +98,7 @@ void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s);
 /// The velocities that the sub-step began with: without what the caller's accelerations did since.
 BodyVelocities start_of_substep(const JointBody& body, double substep_s);
 
-/// A stiff spring by itself: its damping, its half push before the motion.
+/// A stiff spring by itself: an overdamped one's whole push, another's half before the motion.
 void damp_stiff_spring(JointSpring& spring, JointGroup& group);
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
 /// What contacts changed since the half push before the motion, the push takes in view.
