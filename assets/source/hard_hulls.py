@@ -290,8 +290,9 @@ def ridge():
                   "erincatto/box3d samples/sample_continuous.cpp, Hump Mesh: corners pass the slopes while the middle is "
                   "stopped", 10, (16, 9, 21), (0, 0, 0), penetration=0.002, kill=-2, shadow=80)
     scene.ground(0.6, top=-4)
-    for i in range(5):
-        scene.fixed(f"roof_{i}", model("roof"), (8.0 * i - 16, 0, 0), friction=0.6, material="flagstone")
+    # As far beyond the outermost plates as a roof for each of them would reach.
+    for i in range(7):
+        scene.fixed(f"roof_{i}", model("roof"), (8.0 * i - 24, 0, 0), friction=0.6, material="flagstone")
     scene.prefab("plate", box(1, 0.1, 2), 200.0, friction=0.6, material="paint_orange")
     for i in range(30):
         scene.place(f"plate_{i}", "plate", (8.0 * (i // 6) - 16 + 1.3 * (i % 6) - 3.25, 5.4, 0),
