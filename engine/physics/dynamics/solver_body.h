@@ -52,6 +52,13 @@ struct alignas(64) SolverBody {
     bool jointed{false};           ///< movable, and a joint holds it
 
     bool movable() const { return inverse_mass > 0; }
+    /// Whether it has turned since the step's start so far that its arms point elsewhere (1e-4 rad), and not so far that the masses
+    /// of the start are none for those (0.05 rad).
+    bool has_turned() const {
+        const Vec3 axis{delta_rotation.x, delta_rotation.y, delta_rotation.z};
+        const Real square = glm::dot(axis, axis);
+        return square > 2.5e-9_r && square < 6.25e-4_r;
+    }
     double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one
     [[gnu::always_inline]] Vec3 velocity_at(const Vec3& arm) const {
         return velocity_mps + glm::cross(spin_radps, arm);

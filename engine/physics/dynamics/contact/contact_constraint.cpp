@@ -35,11 +35,6 @@ Matrix inverse_of(const Matrix& m, int count) {
 }
 
 /// As glm::cross() of each.
-LaneVec3 cross_lanes(const LaneVec3& vectors, const Vec3& with) {
-    return {vectors[1] * splat(with.z) - splat(with.y) * vectors[2],
-            vectors[2] * splat(with.x) - splat(with.z) * vectors[0],
-            vectors[0] * splat(with.y) - splat(with.x) * vectors[1]};
-}
 
 /// As SymmetricMat3 times each.
 LaneVec3 times(const SymmetricMat3& m, const LaneVec3& v) {

@@ -22,6 +22,10 @@ Arms arms_of(const ContactConstraint& constraint, const SolverBody& a, const Sol
         const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
         arms.of_a += shift + b.delta_position_m - a.delta_position_m;
         arms.of_b += shift;
+    } else if (constraint.jointed && !constraint.rounded()) {
+        if (a.has_turned()) arms.of_a = a.delta_rotation * arms.of_a;
+        if (b.has_turned()) arms.of_b = b.delta_rotation * arms.of_b;
+        return arms;
     }
     if (constraint.spheres()) return arms;  // update_sphere_separations() left them where they are
     if (constraint.radius_a > 0)

@@ -49,6 +49,17 @@ inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) 
     body.velocity_increment_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
 }
 
+/// The places turn with the bodies: with the arms of the step's start, what lies on a swing would be pushed towards where it
+/// was, and the swing lose energy.
+inline void turn_arms(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
+    if (a.has_turned())
+        constraint.angular_a =
+            cross_lanes(turned(a.delta_rotation, constraint.offset_a), constraint.normal);
+    if (b.has_turned())
+        constraint.angular_b =
+            cross_lanes(turned(b.delta_rotation, constraint.offset_b), constraint.normal);
+}
+
 /// What is taken back of the impulse before, of an impact that is over, did not act all through the sub-step either. A
 /// body that has no such share, as joints solved by iteration leave it, gets none.
 inline void take_back(SolverBody& body, const Vec3& velocity_mps, const Vec3& spin_radps) {
@@ -133,7 +144,10 @@ void ContactSet::update_separations(ContactConstraint& constraint) const {
     const Lanes of_b =
         dot_lanes(turned_back_change(b.delta_rotation, constraint.normal), constraint.offset_b);
     constraint.separation_m = constraint.start_separation_m + splat(along) + of_a - of_b;
-    if (!constraint.rounded()) return;
+    if (!constraint.rounded()) {
+        if (constraint.jointed) turn_arms(constraint, a, b);
+        return;
+    }
     // The sphere moved over the other side: what touches it there is where the sphere is now.
     const Vec3 shift = constraint.shift_of(moved);
     for (int i = 0; i < constraint.count; ++i) {

@@ -59,4 +59,21 @@ inline Vec3 weighted_sum(const LaneVec3& vectors, Lanes weights) {
     return {sums[0], sums[1], sums[2]};
 }
 
+inline LaneVec3 cross_lanes(const LaneVec3& vectors, const Vec3& with) {
+    return {vectors[1] * splat(with.z) - splat(with.y) * vectors[2],
+            vectors[2] * splat(with.x) - splat(with.z) * vectors[0],
+            vectors[0] * splat(with.y) - splat(with.x) * vectors[1]};
+}
+
+/// Each turned by `q`, a unit quaternion.
+inline LaneVec3 turned(const Quat& q, const LaneVec3& vectors) {
+    const glm::mat<3, 3, Real> columns = glm::mat3_cast(q);
+    LaneVec3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 row{columns[0][axis], columns[1][axis], columns[2][axis]};
+        result[static_cast<std::size_t>(axis)] = dot_lanes(row, vectors);
+    }
+    return result;
+}
+
 }  // namespace plumbline::physics

@@ -268,7 +268,8 @@ double swing_deg(TestWorld& test, BodyId bar, double duration_s) {
 struct LoadedSwing : testing::TestWithParam<double> {};
 
 // Where contacts or motors made the joints hold the changes of a sub-step before the motion, they held them along the rows of
-// before it alone: 10 g on the bar made it swing 4.24 degrees wide after 17 s.
+// before it alone: 10 g on the bar made it swing 4.24 degrees wide after 17 s. Where contacts had the arms of the step's start,
+// 20 kg took 0.04 degrees.
 TEST_P(LoadedSwing, KeepsItsWidth) {
     const WorldDef def{
         .substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
@@ -276,10 +277,10 @@ TEST_P(LoadedSwing, KeepsItsWidth) {
     const double load_kg = GetParam();
     const BodyId bar = add_swing(test, static_cast<Real>(load_kg), std::nullopt);
     test.run(17);
-    EXPECT_NEAR(swing_deg(test, bar, 3), 4, load_kg < 1 ? 2e-3 : 0.05);
+    EXPECT_NEAR(swing_deg(test, bar, 3), 4, load_kg < 1 ? 2e-3 : 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Loads, LoadedSwing, testing::Values(0, 0.01, 5, 20));
+INSTANTIATE_TEST_SUITE_P(Loads, LoadedSwing, testing::Values(0, 0.01, 5, 20, 60));
 
 struct SwingWithFriction : testing::TestWithParam<double> {};
 
