@@ -143,7 +143,6 @@ void DirectJoints::hold_all(JointGroup& group) {
 }
 
 void DirectJoints::hold_second_half(JointGroup& group) {
-    if (taken_.empty()) return;
     const auto taken_of = [&](const JointBody& body) {
         return taken_[static_cast<std::size_t>(&body - group.bodies.data())];
     };

@@ -33,6 +33,7 @@ public:
     /// Half of what that took acts at the pose after the motion, where the rows point elsewhere, as RATTLE has it (Andersen
     /// 1983): else what swings would gain energy. After factor() there.
     void hold_second_half(JointGroup& group);
+    bool holds_half() const { return !taken_.empty(); }
     /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
     /// unresolved springs; velocities get what that took.
     void correct_positions(JointGroup& group, StiffSprings& springs);

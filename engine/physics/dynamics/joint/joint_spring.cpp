@@ -70,6 +70,19 @@ bool has_steady_change(const SolverBody& body) {
            body.spin_increment_radps != Vec3{0, 0, 0};
 }
 
+/// The velocities that the sub-step began with: without what the caller's accelerations did since.
+BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
+    BodyVelocities start{body.velocity_mps, body.spin_radps};
+    if (!body.movable) return start;
+    const SolverBody& of = *body.body;
+    const bool steady = has_steady_change(of);
+    const auto half = static_cast<Real>(substep_s / 2);
+    start.velocity_mps -= Vec3d(steady ? of.velocity_increment_mps : of.acceleration_mps2 * half);
+    start.spin_radps -=
+        Vec3d(steady ? of.spin_increment_radps : of.angular_acceleration_radps2 * half);
+    return start;
+}
+
 /// What of an impulse was there in the sub-step before and hardly changed since.
 double lasting_part(double impulse_Ns, double before_Ns) {
     const double steady_Ns =
@@ -258,18 +271,6 @@ void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s) {
     spring.before_mps = start_mps;
     if (has_steady_change(*spring.a->body) || has_steady_change(*spring.b->body))
         line.add_steady_change(spring, impulse_Ns - passing_Ns);
-}
-
-BodyVelocities start_of_substep(const JointBody& body, double substep_s) {
-    BodyVelocities start{body.velocity_mps, body.spin_radps};
-    if (!body.movable) return start;
-    const SolverBody& of = *body.body;
-    const bool steady = has_steady_change(of);
-    const auto half = static_cast<Real>(substep_s / 2);
-    start.velocity_mps -= Vec3d(steady ? of.velocity_increment_mps : of.acceleration_mps2 * half);
-    start.spin_radps -=
-        Vec3d(steady ? of.spin_increment_radps : of.angular_acceleration_radps2 * half);
-    return start;
 }
 
 void damp_stiff_spring(JointSpring& spring, JointGroup& group) {

@@ -95,8 +95,6 @@ StiffRow overdamped_row(const JointSpring& spring, const SpringLine& line, doubl
 /// Counts what of that push acts all through the sub-step as a steady change: all but what damps a speed that was another in
 /// the sub-step before. Before it is pushed.
 void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s);
-/// The velocities that the sub-step began with: without what the caller's accelerations did since.
-BodyVelocities start_of_substep(const JointBody& body, double substep_s);
 
 /// A stiff spring by itself: an overdamped one's whole push, another's half before the motion.
 void damp_stiff_spring(JointSpring& spring, JointGroup& group);

@@ -306,6 +306,7 @@ void JointSystem::refresh() {
     impl.group.refresh();
     if (impl.is_direct()) {
         impl.direct.factor(impl.group);
+        if (!impl.direct.holds_half()) return;
         impl.group.read_velocities();
         impl.direct.hold_second_half(impl.group);
         impl.group.write_velocities();

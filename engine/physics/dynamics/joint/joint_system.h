@@ -118,7 +118,7 @@ public:
     void begin_motion(bool hold_steady_changes);
     /// Puts the bodies back on the joints after they moved; the velocities get what that took.
     void correct_positions();
-    /// Jacobians, world inertias and factor at the present poses.
+    /// Jacobians, world inertias and factor at the present poses; and what of begin_motion() acts there.
     void refresh();
     /// Impulse totals, errors and warm-start numbers into the joints.
     void finish();
