@@ -258,7 +258,8 @@ BodyId add_swing(TestWorld& test, Real load_kg, std::optional<JointMotor> motor)
 /// How far the bar swings at most in the next `duration_s`, degrees.
 double swing_deg(TestWorld& test, BodyId bar, double duration_s) {
     double most_m = 0;
-    for (double t = 0; t < duration_s; t += test.world.def().step_s) {
+    const long steps = std::lround(duration_s / test.world.def().step_s);
+    for (long i = 0; i < steps; ++i) {
         test.world.step();
         most_m = std::max(most_m, std::abs(test.at(bar).x));
     }
