@@ -34,8 +34,6 @@ Matrix inverse_of(const Matrix& m, int count) {
     return count == 3 ? inverse_of_first<3>(m) : inverse_of_first<4>(m);
 }
 
-/// As glm::cross() of each.
-
 /// As SymmetricMat3 times each.
 LaneVec3 times(const SymmetricMat3& m, const LaneVec3& v) {
     return {splat(m.xx) * v[0] + splat(m.xy) * v[1] + splat(m.xz) * v[2],

@@ -59,6 +59,7 @@ inline Vec3 weighted_sum(const LaneVec3& vectors, Lanes weights) {
     return {sums[0], sums[1], sums[2]};
 }
 
+/// As glm::cross() of each.
 inline LaneVec3 cross_lanes(const LaneVec3& vectors, const Vec3& with) {
     return {vectors[1] * splat(with.z) - splat(with.y) * vectors[2],
             vectors[2] * splat(with.x) - splat(with.z) * vectors[0],

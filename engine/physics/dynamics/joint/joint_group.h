@@ -71,8 +71,7 @@ struct JointGroup {
     std::span<JointBound> bounds_of(const JointComponent& component);
     /// Gives rows that have all of a constant impulse, or none of it, what they lack.
     void push_constant_bounds(std::span<JointBound> component_bounds);
-    /// Within with_motion(): what motors that push with all they have change all through the sub-step; nothing is
-    /// counted.
+    /// Within with_motion(): what motors that push with all they have change all through the sub-step; nothing is counted.
     void push_constants();
     /// Whether such a motor pushes, or what acts steadily would take a row off its limit further than a position step comes back.
     bool pushes_steadily();

@@ -273,7 +273,7 @@ void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s) {
         line.add_steady_change(spring, impulse_Ns - passing_Ns);
 }
 
-void damp_stiff_spring(JointSpring& spring, JointGroup& group) {
+void push_overdamped_spring(JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
     spring.overdamped = is_overdamped(spring, line);
     if (!spring.overdamped) return;

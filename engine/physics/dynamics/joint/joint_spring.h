@@ -97,7 +97,7 @@ StiffRow overdamped_row(const JointSpring& spring, const SpringLine& line, doubl
 void keep_as_steady(JointSpring& spring, double impulse_Ns, double substep_s);
 
 /// A stiff spring by itself: an overdamped one's whole push, another's half before the motion.
-void damp_stiff_spring(JointSpring& spring, JointGroup& group);
+void push_overdamped_spring(JointSpring& spring, JointGroup& group);
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
 /// What contacts changed since the half push before the motion, the push takes in view.
 void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);

@@ -145,7 +145,7 @@ void JointSystem::Impl::push_springs(double duration_s) {
         direct.push_springs(group, stiff, duration_s);
     } else {
         for (JointSpring& spring : stiff.lines) {
-            damp_stiff_spring(spring, group);
+            push_overdamped_spring(spring, group);
             push_stiff_spring(spring, duration_s, group);
         }
         for (ElasticBlock& block : stiff.blocks) {

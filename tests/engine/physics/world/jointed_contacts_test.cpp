@@ -9,6 +9,8 @@ namespace plumbline::physics {
 namespace {
 
 constexpr Real kFriction = 0.7_r;
+const WorldDef kFewSubsteps{
+    .substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
 
 /// Gravity of a slope: the ground stays level. `along` is downhill.
 WorldDef on_slope(double degrees, const Vec3& along) {
@@ -195,9 +197,7 @@ struct MotorLift : testing::TestWithParam<Lift> {};
 // in its first tenth of a second.
 TEST_P(MotorLift, RisesAsForceAndWeightSay) {
     const Lift& lift = GetParam();
-    const WorldDef def{
-        .substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
-    TestWorld test(def);
+    TestWorld test(kFewSubsteps);
     BodyDef body{
         .kind = BodyKind::Dynamic, .mass_kg = static_cast<Real>(lift.plate_kg), .can_sleep = false};
     const BodyId plate = test.add(BoxShape{{2, 0.1_r, 2}}, {0, 0, 0}, body);
@@ -237,34 +237,38 @@ INSTANTIATE_TEST_SUITE_P(Lifts,
 constexpr Real kSwing_m = 2.2_r;
 
 /// A bar of 20 kg that hangs `kSwing_m` below a hinge at the origin, let go at 4 degrees, and what lies on it.
-BodyId add_swing(TestWorld& test, Real load_kg, std::optional<JointMotor> motor) {
-    const Real angle = 4 * kPi / 180;
-    const Vec3 down{std::sin(angle), -std::cos(angle), 0};
-    BodyDef body{.kind = BodyKind::Dynamic, .mass_kg = 20, .friction = 1, .can_sleep = false};
-    body.world_from_body.orientation = glm::angleAxis(angle, Vec3{0, 0, 1});
-    const BodyId bar = test.add(BoxShape{{0.9_r, 0.05_r, 0.3_r}}, down * kSwing_m, body);
-    body.mass_kg = load_kg;
-    if (load_kg > 0) test.add(BoxShape{{0.2_r, 0.2_r, 0.2_r}}, down * (kSwing_m - 0.125_r), body);
-    join(test,
-         {.kind = JointKind::Hinge,
-          .a = bar,
-          .anchor_a_world = {0, 0, 0},
-          .anchor_b_world = {0, 0, 0},
-          .axis_world = {0, 0, 1},
-          .motor = motor});
-    return bar;
-}
-
-/// How far the bar swings at most in the next `duration_s`, degrees.
-double swing_deg(TestWorld& test, BodyId bar, double duration_s) {
-    double most_m = 0;
-    const long steps = std::lround(duration_s / test.world.def().step_s);
-    for (long i = 0; i < steps; ++i) {
-        test.world.step();
-        most_m = std::max(most_m, std::abs(test.at(bar).x));
+struct Swing {
+    explicit Swing(double load_kg, std::optional<JointMotor> motor = std::nullopt)
+        : test(kFewSubsteps) {
+        const Real angle = 4 * kPi / 180;
+        const Vec3 down{std::sin(angle), -std::cos(angle), 0};
+        BodyDef body{.kind = BodyKind::Dynamic, .mass_kg = 20, .friction = 1, .can_sleep = false};
+        body.world_from_body.orientation = glm::angleAxis(angle, Vec3{0, 0, 1});
+        bar = test.add(BoxShape{{0.9_r, 0.05_r, 0.3_r}}, down * kSwing_m, body);
+        body.mass_kg = static_cast<Real>(load_kg);
+        if (load_kg > 0)
+            test.add(BoxShape{{0.2_r, 0.2_r, 0.2_r}}, down * (kSwing_m - 0.125_r), body);
+        join(test,
+             {.kind = JointKind::Hinge,
+              .a = bar,
+              .anchor_a_world = {0, 0, 0},
+              .anchor_b_world = {0, 0, 0},
+              .axis_world = {0, 0, 1},
+              .motor = motor});
     }
-    return std::asin(most_m / static_cast<double>(kSwing_m)) * 180 / kPiD;
-}
+    /// How far the bar swings at most in the next `duration_s`, degrees.
+    double width_deg(double duration_s) {
+        double most_m = 0;
+        const long steps = std::lround(duration_s / test.world.def().step_s);
+        for (long i = 0; i < steps; ++i) {
+            test.world.step();
+            most_m = std::max(most_m, std::abs(test.at(bar).x));
+        }
+        return std::asin(most_m / static_cast<double>(kSwing_m)) * 180 / kPiD;
+    }
+    TestWorld test;
+    BodyId bar{};
+};
 
 struct LoadedSwing : testing::TestWithParam<double> {};
 
@@ -272,13 +276,10 @@ struct LoadedSwing : testing::TestWithParam<double> {};
 // before it alone: 10 g on the bar made it swing 4.24 degrees wide after 17 s. Where contacts had the arms of the step's start,
 // 20 kg took 0.04 degrees.
 TEST_P(LoadedSwing, KeepsItsWidth) {
-    const WorldDef def{
-        .substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
-    TestWorld test(def);
     const double load_kg = GetParam();
-    const BodyId bar = add_swing(test, static_cast<Real>(load_kg), std::nullopt);
-    test.run(17);
-    EXPECT_NEAR(swing_deg(test, bar, 3), 4, load_kg < 1 ? 2e-3 : 0.02);
+    Swing swing(load_kg);
+    swing.test.run(17);
+    EXPECT_NEAR(swing.width_deg(3), 4, load_kg < 1 ? 2e-3 : 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, LoadedSwing, testing::Values(0, 0.01, 5, 20, 60));
@@ -287,17 +288,13 @@ struct SwingWithFriction : testing::TestWithParam<double> {};
 
 // A hinge with dry friction: each half swing is 2 T / (m g l) narrower.
 TEST_P(SwingWithFriction, NarrowsByAsMuchEachTime) {
-    const WorldDef def{
-        .substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
-    TestWorld test(def);
     const double friction_Nm = GetParam();
-    const BodyId bar =
-        add_swing(test, 0, JointMotor{.target = 0, .max = static_cast<Real>(friction_Nm)});
+    Swing swing(0, JointMotor{.target = 0, .max = static_cast<Real>(friction_Nm)});
     const double less_deg = 2 * friction_Nm / (20 * kG * 2.2) * 180 / kPiD;
     const double half_swing_s = kPiD * std::sqrt((2.2 + 0.0677 / 2.2) / kG);
-    test.run(half_swing_s / 2);
+    swing.test.run(half_swing_s / 2);
     for (int i = 1; i <= 3; ++i)
-        EXPECT_NEAR(swing_deg(test, bar, half_swing_s), 4 - i * less_deg, 0.01) << i;
+        EXPECT_NEAR(swing.width_deg(half_swing_s), 4 - i * less_deg, 0.01) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(Frictions, SwingWithFriction, testing::Values(0.5, 1, 3));

@@ -58,68 +58,68 @@ TEST(StiffSprings, GainNothingByImpacts) {
     }
 }
 
-/// A ball of half a kilogram on a damper, and a cube of 100 kg on the ball.
+/// 100 kg on half a kilogram that a spring holds to the world 60 m below.
+struct PressedSpring {
+    PressedSpring(const ShapeDef& shape, Real cube_at_m, const JointDef& spring)
+        : test({.substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep}) {
+        BodyDef body{.kind = BodyKind::Dynamic, .mass_kg = 0.5_r, .can_sleep = false};
+        light = test.add(shape, {0, 0, 0}, body);
+        body.mass_kg = 100;
+        cube = test.add(BoxShape{{1, 1, 1}}, {0, cube_at_m, 0}, body);
+        JointDef def = spring;
+        def.kind = JointKind::Spring;
+        def.a = light;
+        def.anchor_a_world = {0, 0, 0};
+        def.anchor_b_world = {0, -60, 0};
+        join(test, def);
+    }
+    TestWorld test;
+    BodyId light{};
+    BodyId cube{};
+};
+constexpr double kPressed_kg = 100.5;
+
 struct PressedDamper : testing::TestWithParam<double> {};
 
 // Damping saw the ball's speed without what presses on it: contacts sank in by centimetres, and where damping wins within a
 // sub-step it acted twice. 91.6 and 300 N s/m: reached 3.0 and 2.0 m/s.
 TEST_P(PressedDamper, SinksAsFastAsTheLoadAsksFor) {
     const double damping_Nspm = GetParam();
-    constexpr double kMass_kg = 100.5;
     constexpr double kTime_s = 2;
-    WorldDef def{.substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep};
-    TestWorld test(def);
-    const BodyDef body{.kind = BodyKind::Dynamic, .mass_kg = 0.5_r, .can_sleep = false};
-    const BodyId ball = test.add(SphereShape{0.5_r}, {0, 0, 0}, body);
-    BodyDef heavy = body;
-    heavy.mass_kg = 100;
-    const BodyId cube = test.add(BoxShape{{1, 1, 1}}, {0, 1, 0}, heavy);
-    join(test,
-         {.kind = JointKind::Spring,
-          .a = ball,
-          .anchor_a_world = {0, 0, 0},
-          .anchor_b_world = {0, -60, 0},
-          .stiffness_Npm = 0.01_r,
-          .damping_Nspm = static_cast<Real>(damping_Nspm),
-          .rest_length_m = 60});
-    test.run(kTime_s);
+    PressedSpring on(SphereShape{0.5_r},
+                     1,
+                     {.stiffness_Npm = 0.01_r,
+                      .damping_Nspm = static_cast<Real>(damping_Nspm),
+                      .rest_length_m = 60});
+    on.test.run(kTime_s);
     const double end_mps =
-        kMass_kg * kG / damping_Nspm * (1 - std::exp(-damping_Nspm * kTime_s / kMass_kg));
-    EXPECT_NEAR(-test.velocity(ball).y / end_mps, 1, 0.02);
-    EXPECT_NEAR(-test.velocity(cube).y / end_mps, 1, 0.02);
-    EXPECT_LT(1 - (test.at(cube).y - test.at(ball).y), 3e-3);
+        kPressed_kg * kG / damping_Nspm * (1 - std::exp(-damping_Nspm * kTime_s / kPressed_kg));
+    EXPECT_NEAR(-on.test.velocity(on.light).y / end_mps, 1, 0.02);
+    EXPECT_NEAR(-on.test.velocity(on.cube).y / end_mps, 1, 0.02);
+    EXPECT_LT(1 - (on.test.at(on.cube).y - on.test.at(on.light).y), 3e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dampings, PressedDamper, testing::Values(20, 91.6, 300, 1000, 5000));
 
 // A stiff spring that swings was damped as if its plate of 0.5 kg stood alone: 0.38 of the swing was left.
 TEST(StiffSprings, ALoadSwingsAndDiesAwayAsItsDampingSays) {
-    TestWorld test(
-        {.substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep});
-    BodyDef body{.kind = BodyKind::Dynamic, .mass_kg = 0.5_r, .can_sleep = false};
-    const BodyId plate = test.add(BoxShape{{1, 0.2_r, 1}}, {0, 0, 0}, body);
-    body.mass_kg = 100;
-    const BodyId cube = test.add(BoxShape{{1, 1, 1}}, {0, 0.6_r, 0}, body);
-    const double sag_m = 100.5 * kG / 1e4;
-    join(test,
-         {.kind = JointKind::Spring,
-          .a = plate,
-          .anchor_a_world = {0, 0, 0},
-          .anchor_b_world = {0, -60, 0},
-          .stiffness_Npm = 1e4_r,
-          .damping_Nspm = 130,
-          .rest_length_m = static_cast<Real>(60 + sag_m / 2)});
-    test.run(2);
+    const double sag_m = kPressed_kg * kG / 1e4;
+    PressedSpring on(BoxShape{{1, 0.2_r, 1}},
+                     0.6_r,
+                     {.stiffness_Npm = 1e4_r,
+                      .damping_Nspm = 130,
+                      .rest_length_m = static_cast<Real>(60 + sag_m / 2)});
+    on.test.run(2);
     double highest_m = -1;
     double lowest_m = 1;
     for (int i = 0; i < 40; ++i) {
-        test.world.step();
-        highest_m = std::max(highest_m, test.at(cube).y);
-        lowest_m = std::min(lowest_m, test.at(cube).y);
+        on.test.world.step();
+        highest_m = std::max(highest_m, on.test.at(on.cube).y);
+        lowest_m = std::min(lowest_m, on.test.at(on.cube).y);
     }
     // From extreme to extreme between 2 and 2.67 s, with exp(-c t / 2 m) of the first width left.
-    const double rate = 130 / (2 * 100.5);
-    const double half_period_s = kPiD / std::sqrt(1e4 / 100.5 - rate * rate);
+    const double rate = 130 / (2 * kPressed_kg);
+    const double half_period_s = kPiD / std::sqrt(1e4 / kPressed_kg - rate * rate);
     const double first_s = std::ceil(2 / half_period_s) * half_period_s;
     const double width_m =
         sag_m / 2 * std::exp(-rate * first_s) * (1 + std::exp(-rate * half_period_s));
