@@ -54,6 +54,7 @@ bool restore_if_invalid(const Island& island, Real step_s) {
         SolverJoint& solver = joint->solver;
         solver.bound_load = {};
         solver.mean_load = {};
+        solver.elastic_speed = {};
         solver.error_m = 0;
         solver.position = 0;
         joint->state = {};

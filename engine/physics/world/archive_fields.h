@@ -108,6 +108,7 @@ inline void serialize(Archive& archive, SolverJoint& joint) {
             joint.pressed_decay_per_s,
             joint.bound_load,
             joint.mean_load,
+            joint.elastic_speed,
             joint.total_impulse_Ns,
             joint.total_angular_impulse_Nms,
             joint.error_m,

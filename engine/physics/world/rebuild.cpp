@@ -107,6 +107,7 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
     world.joints.each([&world](JointId, std::unique_ptr<JointRecord>& joint) {
         joint->solver.bound_load = {};
         joint->solver.mean_load = {};
+        joint->solver.elastic_speed = {};
         if (joint->state.broken || world.small) return;
         joint->bullet = std::make_unique<BulletJoint>(*joint, world.engine->world());
     });

@@ -81,7 +81,8 @@ bool is_possible(const SolverJoint& joint) {
            (!joint.twist_limits || (*joint.twist_limits)[0] <= (*joint.twist_limits)[1]) &&
            (!joint.motor || joint.motor->max >= 0) &&
            std::ranges::all_of(joint.bound_load, is_small) &&
-           std::ranges::all_of(joint.mean_load, is_small);
+           std::ranges::all_of(joint.mean_load, is_small) &&
+           std::ranges::all_of(joint.elastic_speed, is_small);
 }
 
 std::string fault_of(JointId id, const JointRecord& joint, const BodyTable& bodies) {

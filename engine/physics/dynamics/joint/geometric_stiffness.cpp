@@ -80,7 +80,7 @@ void GeometricStiffness::start(JointGroup& group) {
         pull.force_N = {static_cast<double>(joint.mean_load[0]),
                         static_cast<double>(joint.mean_load[1]),
                         static_cast<double>(joint.mean_load[2])};
-        if (group.rows[pull.node].is_elastic()) pull.force_N *= kElasticPull;
+        if (group.rows[pull.node].elastic) pull.force_N *= kElasticPull;
     }
     if (!find_stiffness(group)) return;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
@@ -233,7 +233,7 @@ bool GeometricStiffness::raise(JointGroup& group, std::span<const Vec3d> correct
         Vec3d impulse = group.impulses[pull.node] + corrections[pull.node] * per_substep;
         const JointRows& rows = group.rows[pull.node];
         // The rest of a spring's push is still to come.
-        if (rows.is_elastic()) impulse *= kElasticPull / rows.push_share;
+        if (rows.elastic) impulse *= 2 * kElasticPull;
         pull.force_N = rows.force_on_a(impulse) * -per_substep;
     }
     if (!find_stiffness(group)) return false;

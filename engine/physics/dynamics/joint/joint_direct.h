@@ -64,7 +64,6 @@ private:
     void displace(JointGroup& group, double share, bool with_velocities);
     void factor_springs(const JointGroup& group);
     void solve_springs(JointGroup& group);
-    void hold_late(JointGroup& group, const StiffSprings& springs);
     static void activate(JointGroup& group, const StiffSprings& springs);
     void push_overdamped(JointGroup& group, std::span<JointSpring> springs);
     void push_springs_only(JointGroup& group, std::span<JointSpring> springs, bool steadily);

@@ -101,26 +101,6 @@ void DirectJoints::push_overdamped(JointGroup& group, std::span<JointSpring> spr
     push_springs_only(group, springs, false);
 }
 
-/// At rest forces and steady changes cancel. Bodies have half of the way of what is left of the steady change: of what springs
-/// take at once, as much as they still push after the motion. Else bodies would rest on late ones with a speed.
-void DirectJoints::hold_late(JointGroup& group, const StiffSprings& springs) {
-    const auto is_late = [](const ElasticBlock& block) { return block.share > 0.5; };
-    if (std::ranges::none_of(springs.blocks, is_late)) return;
-    activate(group, springs);
-    group.with_motion(steady_change_of, [&] {
-        factor_springs(group);
-        for (std::size_t i = 0; i < group.rows.size(); ++i) {
-            const JointRows& rows = group.rows[i];
-            x_[i] = masked(-rows.speeds(group.bodies), rows.active);
-        }
-        solve_all(group, spring_matrix_);
-        for (const ElasticBlock& block : springs.blocks) x_[block.node] *= 2 * block.share - 1;
-        for (const JointSpring& spring : springs.lines) x_[spring.node].x = 0;
-        for (std::size_t i = 0; i < group.rows.size(); ++i) group.rows[i].push(group.bodies, x_[i]);
-        group.keep_as_steady_changes();
-    });
-}
-
 void DirectJoints::activate(JointGroup& group, const StiffSprings& springs) {
     for (const JointSpring& spring : springs.lines) {
         if (spring.stiffness_Npm > 0 && !spring.overdamped) group.rows[spring.node].active = 0b001;
@@ -157,7 +137,6 @@ void DirectJoints::push_springs(JointGroup& group, StiffSprings& springs, double
         bias_[block.node] = row.bias;
         compliance_[block.node] = row.compliance;
     }
-    hold_late(group, springs);
     adjust_springs(group, springs);
 }
 

@@ -8,8 +8,9 @@ namespace {
 
 /// Above this of (angular frequency * sub-step)^2 a swing is too fast to show.
 constexpr double kFast = 1;
-/// So much of a second's push is nearer to the end of the motion.
-constexpr double kLate_per_s = 20;
+/// Of a sub-step: for so long the change of its speed adds to the extension. Larger shares damp swings of a few radians a sub-step more, and
+/// those of many less.
+constexpr double kLate = 1.0 / 16;
 
 /// Which no turn of the bodies changes.
 double trace_of_inverse_mass(const JointRows& rows, const JointGroup& group) {
@@ -17,10 +18,10 @@ double trace_of_inverse_mass(const JointRows& rows, const JointGroup& group) {
     return own.xx + own.yy + own.zz;
 }
 
-Vec3d load_of(const SolverJoint& joint, std::size_t first) {
-    return {static_cast<double>(joint.mean_load[first]),
-            static_cast<double>(joint.mean_load[first + 1]),
-            static_cast<double>(joint.mean_load[first + 2])};
+Vec3d part_of(const std::array<Real, 6>& numbers, std::size_t first) {
+    return {static_cast<double>(numbers[first]),
+            static_cast<double>(numbers[first + 1]),
+            static_cast<double>(numbers[first + 2])};
 }
 
 /// The motion's speed is without half of a steady change.
@@ -48,7 +49,7 @@ void list_elastic_blocks(JointGroup& group, std::vector<ElasticBlock>& blocks) {
     blocks.clear();
     for (std::uint32_t node = 0; node < group.rows.size(); ++node) {
         JointRows& rows = group.rows[node];
-        if (!rows.is_elastic()) continue;
+        if (!rows.elastic) continue;
         const SolverJoint& joint = group.joints[group.topology->nodes[node].joint];
         const bool bends = rows.kind == NodeKind::Lock;
         ElasticBlock& block = blocks.emplace_back();
@@ -57,9 +58,10 @@ void list_elastic_blocks(JointGroup& group, std::vector<ElasticBlock>& blocks) {
         block.damping = block.stiffness * static_cast<double>(joint.damping_s);
         const double square = block.stiffness * group.substep_s * group.substep_s *
                               trace_of_inverse_mass(rows, group);
-        if (square > kFast) block.share = std::min(1.0, 0.5 + kLate_per_s * group.substep_s);
-        block.before = load_of(joint, bends ? 3 : 0) * group.substep_s;
-        rows.push_share = block.share;
+        block.fast = square > kFast;
+        const std::size_t first = bends ? 3 : 0;
+        block.before = part_of(joint.mean_load, first) * group.substep_s;
+        block.speed = part_of(joint.elastic_speed, first);
     }
 }
 
@@ -69,20 +71,19 @@ void begin_push(ElasticBlock& block, const JointGroup& group) {
 }
 
 BlockRow push_row(const ElasticBlock& block, double substep_s) {
-    const double duration_s = block.share * substep_s;
-    const double per_speed = block.stiffness * duration_s + block.damping;
-    return {.bias = block.extension * (block.stiffness / per_speed),
-            .compliance = 1 / (duration_s * per_speed)};
+    const double late_s = block.fast ? kLate * substep_s : 0;
+    const double per_speed = block.stiffness * (substep_s / 2 + late_s) + block.damping;
+    return {.bias = (block.extension - block.speed * late_s) * (block.stiffness / per_speed),
+            .compliance = 2 / (substep_s * per_speed)};
 }
 
 void push_steadily(ElasticBlock& block, const Vec3d& impulse, JointGroup& group) {
     block.kept += impulse;
     group.rows[block.node].push(group.bodies, impulse);
-    const Vec3d after = block.after();
-    const Vec3d before = block.before * (1 - block.share);
-    const double size = glm::length(after);
-    const double steady = std::min(size, glm::length(before)) - glm::length(after - before);
-    set_ahead(block, steady > 0 ? after * (steady / size) : Vec3d{0, 0, 0}, group);
+    const Vec3d before = block.before / 2.0;
+    const double size = glm::length(block.kept);
+    const double steady = std::min(size, glm::length(before)) - glm::length(block.kept - before);
+    set_ahead(block, steady > 0 ? block.kept * (steady / size) : Vec3d{0, 0, 0}, group);
 }
 
 void take_back_ahead(ElasticBlock& block, JointGroup& group) {
@@ -90,12 +91,21 @@ void take_back_ahead(ElasticBlock& block, JointGroup& group) {
 }
 
 void push_rest(ElasticBlock& block, JointGroup& group) {
-    const Vec3d after = block.after();
     JointRows& rows = group.rows[block.node];
+    const BlockRow row = push_row(block, group.substep_s);
+    block.speed = -(row.bias + row.compliance * block.kept);
     rows.refresh(group.bodies);
-    rows.push(group.bodies, after);
-    group.impulses[block.node] += after;
-    block.before = block.kept + after;
+    rows.push(group.bodies, block.kept);
+    group.impulses[block.node] += block.kept;
+    block.before = 2.0 * block.kept;
+}
+
+void keep_speed(const ElasticBlock& block, JointGroup& group) {
+    const JointNode& node = group.topology->nodes[block.node];
+    const std::size_t first = group.rows[block.node].kind == NodeKind::Lock ? 3 : 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        group.joints[node.joint].elastic_speed[first + k] =
+            static_cast<Real>(block.speed[static_cast<int>(k)]);
 }
 
 void adjust_block(ElasticBlock& block, JointGroup& group) {

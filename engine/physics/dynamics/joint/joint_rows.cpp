@@ -164,9 +164,9 @@ JointRows JointRows::of(const JointNode& node, const SolverJoint& joint) {
     rows.anchor_in_b = joint.anchor_in_b;
     if (joint.kind == JointKind::Elastic &&
         (node.kind == NodeKind::Lock || joint.stiffness_Npm > 0))
-        rows.push_share = 0.5;
+        rows.elastic = true;
     if (node.kind == NodeKind::Point) {
-        rows.active = rows.is_elastic() ? 0 : 0b111;
+        rows.active = rows.elastic ? 0 : 0b111;
         return rows;
     }
     rows.frames.turn_in_a = joint.frame_in_a;
@@ -181,7 +181,7 @@ JointRows JointRows::of(const JointNode& node, const SolverJoint& joint) {
     rows.near_rad = joint.kind == JointKind::Hinge ? joint.position : 0;
     const bool locked = node.kind == NodeKind::Lock;
     const bool across = node.kind == NodeKind::Across || node.kind == NodeKind::Align;
-    rows.active = rows.is_elastic() ? 0 : locked ? 0b111 : across ? 0b011 : 0;
+    rows.active = rows.elastic ? 0 : locked ? 0b111 : across ? 0b011 : 0;
     if (node.kind == NodeKind::Length && joint.kind == JointKind::Distance) rows.active = 0b001;
     if (node.kind == NodeKind::Swing && joint.limits) {
         const auto [low, high] = *joint.limits;

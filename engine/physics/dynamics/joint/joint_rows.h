@@ -70,8 +70,7 @@ struct JointRows {
     NodeKind kind{NodeKind::None};
     std::uint8_t active{0};   ///< rows that are solved, by bits; the others stay at zero
     std::uint8_t bounded{0};  ///< rows that only are while they are at a bound
-    /// 0, or all three are springs, active only while these are solved: of their push, what is before the motion.
-    double push_share{0};
+    bool elastic{false};      ///< all three are springs, active only while these are solved
     std::uint32_t a{0};
     std::uint32_t b{0};
 
@@ -153,7 +152,6 @@ struct JointRows {
     /// What impulses along the rows give to a: force and pure torque.
     Vec3d force_on_a(const Vec3d& impulse) const;
     Vec3d torque_on_a(const Vec3d& impulse) const;
-    bool is_elastic() const { return push_share > 0; }
     bool is_active(int row) const { return ((active >> row) & 1) != 0; }
 
 private:

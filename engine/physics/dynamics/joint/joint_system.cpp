@@ -326,6 +326,7 @@ void JointSystem::finish() {
         loads[1] = static_cast<Real>(spring.damped_Ns * per_s);
         loads[2] = static_cast<Real>(spring.before_mps);
     });
+    for (const ElasticBlock& block : impl.stiff.blocks) keep_speed(block, impl.group);
     for (const JointBound& bound : impl.group.bounds) {
         bound.store_load(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }

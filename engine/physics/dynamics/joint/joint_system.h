@@ -45,6 +45,8 @@ struct SolverJoint {
     /// Force and torque: warm start of the iterative method; with the direct one those on b, by which
     /// the next step knows how hard bodies are pulled.
     std::array<Real, 6> mean_load{0, 0, 0, 0, 0, 0};
+    /// Of an elastic one: how fast its extension and its bend changed in the latest sub-step, m/s and rad/s.
+    std::array<Real, 6> elastic_speed{0, 0, 0, 0, 0, 0};
 
     // Left by finish().
     Vec3d total_impulse_Ns{0, 0, 0};  ///< on a, over the step

@@ -53,6 +53,33 @@ TEST(SimulationRopes, HoldALoad) {
     EXPECT_EQ(rope["broken"], false);
 }
 
+// Slow swings are not damped by what calms fast ones: m g / k to and fro, for as long as asked.
+TEST(SimulationRopes, AWeightBouncesOnAnElasticOne) {
+    for (const Fidelity fidelity : {Fidelity::Draft, Fidelity::Balanced}) {
+        SceneDescription scene = scene_of({cube("load", {0, 5, 0})});
+        scene.forces.fidelity.rope = fidelity;
+        RopeDescription rope = rope_to("load", {0, 8, 0}, {0, 5, 0});
+        rope.stiffness_N = 3 * 4e5;  // 4e5 N/m: 20 rad/s
+        scene.forces.ropes = {rope};
+        Running run(scene);
+        const double reach_m = kLoad_N / 4e5;
+        const auto amplitude_m = [&] {
+            double least_m = 1e9;
+            double most_m = -1e9;
+            for (int i = 0; i < 60; ++i) {
+                run.step(1);
+                const auto y = static_cast<double>(run.state("load").world_from_body.position.y);
+                least_m = std::min(least_m, y);
+                most_m = std::max(most_m, y);
+            }
+            return (most_m - least_m) / 2;
+        };
+        EXPECT_NEAR(amplitude_m(), reach_m, 0.02 * reach_m);
+        run.step(480);
+        EXPECT_NEAR(amplitude_m(), reach_m, 0.02 * reach_m);
+    }
+}
+
 TEST(SimulationRopes, BreakAboveTheirLimit) {
     SceneDescription scene = scene_of({cube("load", {0, 5, 0})});
     scene.forces.ropes = {rope_to("load", {0, 8, 0}, {0, 5, 0})};
