@@ -20,6 +20,9 @@ struct ContactSide {
     Vec3 offset_m{0, 0, 0};   ///< from the centre of mass, world axes
     Vec3 surface_m{0, 0, 0};  ///< the point on the surface, world
     Vec3 local_m{0, 0, 0};    ///< the same, mass frame
+    /// World axes, unit, where the side is round about an axis through the centre of mass and not a sphere: rims, cones. Else zero.
+    Vec3 axis{0, 0, 0};
+    bool is_moving_face{false};  ///< a flat face of what forces move, and the other side is round
 };
 
 /// What a point carried, as mean forces over the latest sub-step: what the next step starts from.
@@ -51,6 +54,7 @@ struct ManifoldLoad {
     std::uint64_t step{0};  ///< number of that step; 0: none
     std::uint32_t age_steps{0};
     Real normal_N{0};
+    Real before_N{0};   ///< in the sub-step before
     Real lasting_N{0};  ///< what it goes on carrying between impacts
     Vec3 friction_N{0, 0, 0};
     Vec3 rolling_Nm{0, 0, 0};  ///< on the body that gives way

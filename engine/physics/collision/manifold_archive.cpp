@@ -7,7 +7,8 @@ namespace plumbline::physics {
 namespace {
 
 void serialize_side(Archive& archive, ContactSide& side) {
-    archive(side.radius_m, side.offset_m, side.surface_m, side.local_m);
+    archive(
+        side.radius_m, side.offset_m, side.surface_m, side.local_m, side.axis, side.is_moving_face);
 }
 
 void serialize_point(Archive& archive, ManifoldPoint& point) {
@@ -30,6 +31,7 @@ void serialize_manifold(Archive& archive, Manifold& manifold) {
             manifold.load.step,
             manifold.load.age_steps,
             manifold.load.normal_N,
+            manifold.load.before_N,
             manifold.load.lasting_N,
             manifold.load.friction_N,
             manifold.load.rolling_Nm);

@@ -11,6 +11,26 @@
 namespace plumbline::physics {
 namespace {
 
+/// What a convex part is round about, if that goes through its body's centre of mass; world axes. Zero: nothing.
+Vec3 symmetry_axis(const BodyRecord& body, const PlacedShape& part) {
+    using Kind = ConvexShape::Kind;
+    if (part.shape.kind != Kind::Cylinder && part.shape.kind != Kind::Cone) return {0, 0, 0};
+    constexpr Real kBeside = 1e-4_r;  // of the radius
+    const Vec3 axis = part.world_from_shape.rotation[1];
+    const Vec3 beside =
+        glm::cross(part.world_from_shape.position_m - body.motion->at.position_m, axis);
+    const Real most_m = kBeside * part.shape.radius_m;
+    return glm::dot(beside, beside) > most_m * most_m ? Vec3{0, 0, 0} : axis;
+}
+
+/// Whether a flat face looks along `outward`.
+bool is_face(const PlacedShape& part, const Vec3& outward) {
+    constexpr double kSame = 1 - 1e-6;
+    const PlacedConvex convex = placed_convex(part, Vec3d(part.world_from_shape.position_m));
+    const FacePlane face = face_along(convex, Vec3d(outward));
+    return face.exists && glm::dot(face.normal, Vec3d(outward)) > kSame;
+}
+
 ContactSide side_of(const BodyRecord& body,
                     const PlacedShape* part,
                     const Vec3& on_surface,
@@ -19,20 +39,27 @@ ContactSide side_of(const BodyRecord& body,
     RoundSide round{.center = on_surface};
     if (part != nullptr && part->shape.may_be_round())
         round = round_side(*part, on_surface, outward);
-    return {.radius_m = round.radius_m,
-            .offset_m = round.center - at.position_m,
-            .surface_m = on_surface,
-            .local_m = unrotated(on_surface - at.position_m, at.rotation)};
+    ContactSide side{.radius_m = round.radius_m,
+                     .offset_m = round.center - at.position_m,
+                     .surface_m = on_surface,
+                     .local_m = unrotated(on_surface - at.position_m, at.rotation)};
+    if (part != nullptr && round.radius_m == 0) side.axis = symmetry_axis(body, *part);
+    return side;
 }
 
 ManifoldPoint point_on(const Manifold& manifold,
                        const ManifoldParts& parts,
                        const ConvexPoint& found) {
     const Vec3 on_a = found.on_b + found.normal * found.distance_m;
-    return {.a = side_of(*manifold.a, parts.a, on_a, -found.normal),
-            .b = side_of(*manifold.b, parts.b, found.on_b, found.normal),
-            .normal_world = found.normal,
-            .distance_m = found.distance_m};
+    ManifoldPoint point{.a = side_of(*manifold.a, parts.a, on_a, -found.normal),
+                        .b = side_of(*manifold.b, parts.b, found.on_b, found.normal),
+                        .normal_world = found.normal,
+                        .distance_m = found.distance_m};
+    if (point.a.radius_m > 0 && point.b.radius_m == 0 && parts.b != nullptr)
+        point.b.is_moving_face = pushable(*manifold.b) && is_face(*parts.b, found.normal);
+    if (point.b.radius_m > 0 && point.a.radius_m == 0 && parts.a != nullptr)
+        point.a.is_moving_face = pushable(*manifold.a) && is_face(*parts.a, -found.normal);
+    return point;
 }
 
 /// A point of a mesh is the same while it moves by less: a share of the shape, or anywhere on what rolls.

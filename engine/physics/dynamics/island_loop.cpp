@@ -64,6 +64,24 @@ void apply_steady_forces(std::span<SolverBody> bodies,
     });
 }
 
+/// World axes, of the pose now.
+void renew_inertia(SolverBody& body) {
+    const Mat3 axes = glm::mat3_cast(Quat(Quatd(body.delta_rotation) * body.start_orientation));
+    SymmetricMat3& m = body.inverse_inertia;
+    m = {};
+    for (int k = 0; k < 3; ++k) {
+        const double moment = body.inertia_kgm2[k];
+        const Real inverse = moment > 0 ? static_cast<Real>(1 / moment) : Real{0};
+        const Vec3& axis = axes[k];
+        m.xx += inverse * axis.x * axis.x;
+        m.xy += inverse * axis.x * axis.y;
+        m.xz += inverse * axis.x * axis.z;
+        m.yy += inverse * axis.y * axis.y;
+        m.yz += inverse * axis.y * axis.z;
+        m.zz += inverse * axis.z * axis.z;
+    }
+}
+
 void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
     const bool gyroscopic =
         gyroscopic_torque && body.movable() && !body.isotropic_inertia &&
@@ -82,6 +100,29 @@ void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
     body.spin_radps = Vec3(end.spin_radps + half_gain);
 }
 
+/// Turning by more makes a body's moments along the world's axes, and the masses of its contacts, others, rad: of slender bodies earlier,
+/// as their moments differ more.
+Real most_turn_rad(const SolverBody& body) {
+    constexpr Real kMost_rad = 0.05_r;
+    if (body.isotropic_inertia) return kMost_rad;
+    const Vec3d& moments = body.inertia_kgm2;
+    const double least = std::min({moments.x, moments.y, moments.z});
+    const double most = std::max({moments.x, moments.y, moments.z});
+    return kMost_rad * static_cast<Real>(std::sqrt(least / most));
+}
+
+void note_turn(SolverBody& body, Real h) {
+    body.turned.is_far = false;
+    body.turned.total_rad += glm::length(body.spin_radps) * h;
+    if (!body.movable()) return;
+    if (body.turned.total_rad < kLeastTurn_rad) return;
+    // Joints keep theirs up to date.
+    if (!body.isotropic_inertia && !body.jointed) renew_inertia(body);
+    if (body.turned.total_rad - body.turned.weighed_rad < most_turn_rad(body)) return;
+    body.turned.is_far = true;
+    body.turned.weighed_rad = body.turned.total_rad;
+}
+
 /// Forces that act all through the sub-step move a body by half of what their speed would: flight
 /// is exact, sliding and rolling are second order.
 void move_bodies(const ContactSet& contacts, bool gyroscopic_torque, Real h) {
@@ -90,6 +131,7 @@ void move_bodies(const ContactSet& contacts, bool gyroscopic_torque, Real h) {
     contacts.each_body([=](SolverBody& body) {
         body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
         turn_body(body, gyroscopic_torque, h);
+        note_turn(body, h);
     });
 }
 

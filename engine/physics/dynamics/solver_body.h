@@ -19,6 +19,16 @@ struct SymmetricMat3 {
     }
 };
 
+inline constexpr Real kLeastTurn_rad = 1e-4_r;
+inline constexpr Real kMostTurn_rad = 0.4_r;
+
+/// How far a body turned since the step's start, to and fro.
+struct BodyTurn {
+    Real total_rad{0};
+    Real weighed_rad{0};  ///< when the masses of its contacts were those of its pose
+    bool is_far{false};   ///< in this sub-step: they are others now
+};
+
 /// 256 bytes (float32), of which a contact sweep reads the first 52 (velocities and masses) and, for
 /// where points have moved to, the change of pose behind them. Velocities are of the centre of mass,
 /// world axes. Positions are changes since the step's start, so that float32 keeps its digits far
@@ -50,15 +60,13 @@ struct alignas(64) SolverBody {
     Real start_speed_mps{0};
     bool isotropic_inertia{true};  ///< all three moments equal: inverse_inertia never changes
     bool jointed{false};           ///< movable, and a joint holds it
+    BodyTurn turned{};
 
-    bool movable() const { return inverse_mass > 0; }
-    /// Whether it has turned since the step's start so far that its arms point elsewhere (1e-4 rad), and not so far that the masses
-    /// of the start are none for those (0.05 rad).
+    /// Whether so far that its arms point elsewhere, and not so far that it touches with other points than were found.
     bool has_turned() const {
-        const Vec3 axis{delta_rotation.x, delta_rotation.y, delta_rotation.z};
-        const Real square = glm::dot(axis, axis);
-        return square > 2.5e-9_r && square < 6.25e-4_r;
+        return turned.total_rad > kLeastTurn_rad && turned.total_rad < kMostTurn_rad;
     }
+    bool movable() const { return inverse_mass > 0; }
     double mass_kg() const { return 1 / static_cast<double>(inverse_mass); }  ///< of a movable one
     [[gnu::always_inline]] Vec3 velocity_at(const Vec3& arm) const {
         return velocity_mps + glm::cross(spin_radps, arm);

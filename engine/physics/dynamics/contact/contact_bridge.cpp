@@ -29,6 +29,13 @@ void start_constraint(ContactConstraint& constraint,
     constraint.radius_b = ends.a_moves ? point.b.radius_m : point.a.radius_m;
     const std::array<Vec3, 2> tangents = tangents_of(point.normal_world);
     for (std::size_t t = 0; t < 2; ++t) constraint.tangent[t] = sign * tangents[t];
+    const ContactSide& side_a = ends.a_moves ? point.a : point.b;
+    const ContactSide& side_b = ends.a_moves ? point.b : point.a;
+    constraint.axis_a = side_a.axis;
+    constraint.axis_b = side_b.axis;
+    constraint.rolls = side_a.axis != Vec3{0, 0, 0} || side_b.axis != Vec3{0, 0, 0};
+    constraint.face_turns = (constraint.radius_a > 0) != (constraint.radius_b > 0) &&
+                            (constraint.radius_a > 0 ? side_b : side_a).is_moving_face;
     constraint.friction = manifold.material.friction;
     constraint.restitution = manifold.material.restitution;
     constraint.rolling_m = manifold.material.rolling_m;
@@ -91,6 +98,7 @@ void ContactBridge::add(Manifold& manifold, ManifoldEnds ends, Real h, ContactSe
         load.lasting_N = last->lasting_N;
         load.age_steps = last->age_steps;
         ContactConstraint& first = contacts.constraints[first_constraint];
+        first.load_before_Ns = last->before_N * h;
         if (first.rolling_m > 0 || first.spinning_m > 0) first.rolling_Nms = last->rolling_Nm * h;
     }
     manifold.load = load;
@@ -161,6 +169,7 @@ void ContactBridge::write_back(const ContactSet& contacts, Real h) {
         entry.point->normal_Ns += constraint.total_Ns[entry.lane];
         ManifoldLoad& load = entry.manifold->load;
         load.normal_N += point.normal_N;
+        if (entry.lane == 0) load.before_N += constraint.load_before_Ns * per_s;
         if (entry.lane == 0 && load.rolling_Nm == Vec3{0, 0, 0})
             load.rolling_Nm = constraint.rolling_Nms * per_s;
         load.friction_N += constraint.tangent[0] * point.friction_N[0] +

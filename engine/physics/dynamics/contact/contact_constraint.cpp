@@ -52,18 +52,7 @@ Lanes lengths_of(const LaneVec3& vectors) {
         std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3])};
 }
 
-void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
-    const Real load = sum_of(constraint.normal_Ns);
-    const Lanes shares = load > 0 ? constraint.normal_Ns / splat(load)
-                                  : splat(1 / static_cast<Real>(constraint.count));
-    const Lanes weights = first_lanes(constraint.count) ? shares : splat(0);
-    const Vec3 below = constraint.normal * constraint.radius_a;
-    const Vec3 above = constraint.normal * constraint.radius_b;
-    constraint.center_a = weighted_sum(constraint.offset_a, weights) - below;
-    constraint.center_b = weighted_sum(constraint.offset_b, weights) + above;
-    const Lanes arms_m =
-        weights * lengths_of(moved_by(moved_by(constraint.offset_a, -below), -constraint.center_a));
-    constraint.twist_arm_m = arms_m[0] + arms_m[1] + arms_m[2] + arms_m[3];
+void weigh_friction(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
     Vec3 turn_a[2];
     Vec3 turn_b[2];
     for (int t = 0; t < 2; ++t) {
@@ -81,25 +70,27 @@ void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const 
     constraint.twist_mass = moment > 0 ? 1 / moment : Real{0};
 }
 
-}  // namespace
-
-void prepare(ContactConstraint& constraint,
-             const SolverBody& a,
-             const SolverBody& b,
-             const Softness& soft,
-             Real sharing) {
-    constraint.start_normal = constraint.normal;
-    constraint.against_immovable = !a.movable() || !b.movable();
-    constraint.carried = !constraint.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
-    constraint.jointed = a.jointed || b.jointed;
-    const LaneMask used_lanes = first_lanes(constraint.count);
+void place_friction(ContactConstraint& constraint) {
+    const Real load = sum_of(constraint.normal_Ns);
+    const Lanes shares = load > 0 ? constraint.normal_Ns / splat(load)
+                                  : splat(1 / static_cast<Real>(constraint.count));
+    const Lanes weights = first_lanes(constraint.count) ? shares : splat(0);
+    constraint.center_offset_a = weighted_sum(constraint.offset_a, weights);
+    constraint.center_offset_b = weighted_sum(constraint.offset_b, weights);
     const Vec3 below = constraint.normal * constraint.radius_a;
-    const Vec3 above = constraint.normal * constraint.radius_b;
-    constraint.angular_a = cross_lanes(moved_by(constraint.offset_a, -below), constraint.normal);
-    constraint.angular_b = cross_lanes(moved_by(constraint.offset_b, above), constraint.normal);
-    for (LaneVec3* angular : {&constraint.angular_a, &constraint.angular_b}) {
-        for (Lanes& axis : *angular) axis = used_lanes ? axis : splat(0);
-    }
+    constraint.center_a = constraint.center_offset_a - below;
+    constraint.center_b = constraint.center_offset_b + constraint.normal * constraint.radius_b;
+    const Lanes arms_m =
+        weights * lengths_of(moved_by(moved_by(constraint.offset_a, -below), -constraint.center_a));
+    constraint.twist_arm_m = arms_m[0] + arms_m[1] + arms_m[2] + arms_m[3];
+}
+
+/// `gives`: the compliance of soft rows as a share of their inverse mass.
+void weigh(ContactConstraint& constraint,
+           const SolverBody& a,
+           const SolverBody& b,
+           const Lanes& gives) {
+    const LaneMask used_lanes = first_lanes(constraint.count);
     const LaneVec3 gain_a = times(a.inverse_inertia, constraint.angular_a);
     const LaneVec3 gain_b = times(b.inverse_inertia, constraint.angular_b);
     const Real linear = a.inverse_mass + b.inverse_mass;
@@ -113,16 +104,43 @@ void prepare(ContactConstraint& constraint,
         Lanes own{};
         own[i] = 1;
         constraint.response[row] = used ? (used_lanes ? splat(linear) + of_a + of_b : own) : own;
-        // share = A / (A + compliance) turns softness into the compliance of the row.
-        constraint.compliance[i] =
-            constraint.response[row][i] * sharing * soft.decay / std::max(soft.mass_share, 1e-6_r);
+        constraint.compliance[i] = constraint.response[row][i] * gives[i];
         soft_matrix[row] = rigid_matrix[row] = constraint.response[row];
         soft_matrix[row][i] += constraint.compliance[i];
         rigid_matrix[row][i] *= 1 + kRedundancy * Real(constraint.count > 1);
     }
     constraint.soft_mass = inverse_of(soft_matrix, constraint.count);
     constraint.rigid_mass = inverse_of(rigid_matrix, constraint.count);
-    if (constraint.friction > 0) prepare_friction(constraint, a, b);
+    if (constraint.friction > 0) weigh_friction(constraint, a, b);
+}
+
+}  // namespace
+
+void prepare(ContactConstraint& constraint,
+             const SolverBody& a,
+             const SolverBody& b,
+             const Softness& soft,
+             Real sharing) {
+    constraint.start_normal = constraint.normal;
+    constraint.against_immovable = !a.movable() || !b.movable();
+    constraint.jointed = a.jointed || b.jointed;
+    const LaneMask used_lanes = first_lanes(constraint.count);
+    const Vec3 below = constraint.normal * constraint.radius_a;
+    const Vec3 above = constraint.normal * constraint.radius_b;
+    constraint.angular_a = cross_lanes(moved_by(constraint.offset_a, -below), constraint.normal);
+    constraint.angular_b = cross_lanes(moved_by(constraint.offset_b, above), constraint.normal);
+    for (LaneVec3* angular : {&constraint.angular_a, &constraint.angular_b}) {
+        for (Lanes& axis : *angular) axis = used_lanes ? axis : splat(0);
+    }
+    if (constraint.friction > 0) place_friction(constraint);
+    // share = A / (A + compliance) turns softness into the compliance of the row.
+    weigh(constraint, a, b, splat(sharing * soft.decay / std::max(soft.mass_share, 1e-6_r)));
+}
+
+void weigh_anew(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
+    const LaneMatrix& response = constraint.response;
+    const Lanes own{response[0][0], response[1][1], response[2][2], response[3][3]};
+    weigh(constraint, a, b, constraint.compliance / own);
 }
 
 }  // namespace plumbline::physics

@@ -32,14 +32,15 @@ struct ContactConstraint {
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
-    bool carried{false};  ///< b turns and gives way to nothing
+    bool face_turns{
+        false};  ///< rounded against a flat face of a movable body, which takes the normal along
+    bool rolls{false};    ///< has axis_a or axis_b
     bool jointed{false};  ///< a joint holds a or b: its solution moves them again
     bool bounced{false};  ///< off in this sub-step: on its way out, at the speed it should have
     std::uint32_t belt{
         0};  ///< one more than b's number in ContactSet::belts; 0: b's surface moves as b does
     std::uint32_t row_solves{0};  ///< rows times sweeps of this step
     Vec3 normal{0, 1, 0};         ///< from b to a
-    Vec3 start_normal{0, 1, 0};   ///< at the step's start
     /// A rounded side (sphere, capsule, side of a cylinder) is the sphere that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
     Real radius_a{0};
@@ -59,6 +60,7 @@ struct ContactConstraint {
     Lanes start_separation_m{kNoPoint_m, kNoPoint_m, kNoPoint_m, kNoPoint_m};
 
     Lanes normal_Ns{};  ///< of the present sub-step
+    Lanes before_Ns{};  ///< of the sub-step before, as far as it goes on
     Lanes total_Ns{};   ///< summed over the step
 
     // Friction: at the centre of the load, limited together by an ellipsoid.
@@ -73,12 +75,23 @@ struct ContactConstraint {
     Real tangent_Ns[2]{0, 0};
     Real twist_Nms{0};
     Vec3 rolling_Nms{0, 0, 0};
+    /// Normal load of the sub-step before, of all the pair's constraints; in the first of them.
+    Real load_before_Ns{0};
     Real friction{0};
     Real restitution{0};
     Real rolling_m{0};   ///< torque against rolling per newton pressed
     Real spinning_m{0};  ///< ... against spinning about the normal
 
     LaneMatrix response{};  ///< A: change of closing speed per impulse, 1/kg
+
+    // At the step's start, read where bodies turn.
+    Vec3 start_normal{0, 1, 0};
+    Vec3 center_offset_a{0, 0, 0};  ///< as offset_a and offset_b, of the centre of friction
+    Vec3 center_offset_b{0, 0, 0};
+    /// Of a side that is round about an axis through its centre of mass (rims, cones) that axis, world, at the step's start; else
+    /// zero. Its points stay where they are as it rolls.
+    Vec3 axis_a{0, 0, 0};
+    Vec3 axis_b{0, 0, 0};
 
     /// Whether friction or rolling resistance still holds an impulse.
     bool holds_friction() const {
@@ -103,11 +116,9 @@ struct ContactConstraint {
         const Real length2 = glm::dot(moved, moved);
         return length2 > most * most ? moved * (most / std::sqrt(length2)) : moved;
     }
-    Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
-    Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
 };
 
-/// Arms, masses and the centre of friction from the constraint's geometry and impulses. `a` and `b` are
+/// Arms, masses and the centre of friction from the constraint's geometry and impulses, at the step's start. `a` and `b` are
 /// its bodies, `soft` how penetration gives way; `sharing` (1: it alone) constraints have that stiffness
 /// between them.
 void prepare(ContactConstraint& constraint,
@@ -115,5 +126,20 @@ void prepare(ContactConstraint& constraint,
              const SolverBody& b,
              const Softness& soft,
              Real sharing);
+/// Whether follow() may find other arms than prepare() did.
+bool arms_turn(const ContactConstraint& constraint, const SolverBody& a, const SolverBody& b);
+/// Separations, arms and normal where the bodies have gone to since the step's start.
+void follow(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b);
+/// From the bodies' centres of mass to where point `i` touches now.
+struct PointArms {
+    Vec3 a{0, 0, 0};
+    Vec3 b{0, 0, 0};
+};
+PointArms arms_of(const ContactConstraint& constraint,
+                  const SolverBody& a,
+                  const SolverBody& b,
+                  int i);
+/// Masses for the present arms and inertias.
+void weigh_anew(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b);
 
 }  // namespace plumbline::physics

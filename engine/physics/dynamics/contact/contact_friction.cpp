@@ -9,32 +9,6 @@ namespace {
 
 constexpr Real kMuch = 0.005_r;  ///< change of what sticks, as a share of its limit
 
-/// Arms of the place where friction acts now.
-struct Arms {
-    Vec3 of_a;
-    Vec3 of_b;
-};
-
-Arms arms_of(const ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
-    Arms arms{constraint.center_a, constraint.center_b};
-    if (constraint.carried) {
-        // The place goes round with what carries it.
-        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
-        arms.of_a += shift + b.delta_position_m - a.delta_position_m;
-        arms.of_b += shift;
-    } else if (constraint.jointed && !constraint.rounded()) {
-        if (a.has_turned()) arms.of_a = a.delta_rotation * arms.of_a;
-        if (b.has_turned()) arms.of_b = b.delta_rotation * arms.of_b;
-        return arms;
-    }
-    if (constraint.spheres()) return arms;  // update_sphere_separations() left them where they are
-    if (constraint.radius_a > 0)
-        arms.of_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
-    else if (constraint.radius_b > 0)
-        arms.of_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
-    return arms;
-}
-
 /// What stops the slip, whose two directions turn the bodies differently: the full response's inverse.
 Vec2 stopping_impulse(const ContactConstraint& constraint, const Vec2& slip) {
     const auto& [first, second] = constraint.slip_response;
@@ -94,9 +68,12 @@ Kept within_limit(Real limit, const Wanted& force, const Wanted& twist) {
 FrictionChange ContactSet::solve_friction(ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
-    const auto [center_a, center_b] = arms_of(constraint, a, b);
+    const Vec3 center_a = constraint.center_a;
+    const Vec3 center_b = constraint.center_b;
     const Vec3 slip_world =
-        a.velocity_at(center_a) - b.velocity_at(center_b) - belt_velocity_at(constraint, center_b);
+        a.velocity_at(center_a) - b.velocity_at(center_b) -
+        belt_velocity_at(constraint,
+                         constraint.center_offset_b + constraint.normal * constraint.radius_b);
     const Vec2 slip{glm::dot(slip_world, constraint.tangent[0]),
                     glm::dot(slip_world, constraint.tangent[1])};
     const Vec2 before{constraint.tangent_Ns[0], constraint.tangent_Ns[1]};

@@ -35,15 +35,8 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, const SweepSettings& s
     each_part([this](std::span<const SweepPlace> part) { prepare_part(part); });
 }
 
-/// The constraints of two bodies are one after the other, in a part as in all.
 void ContactSet::prepare_part(std::span<const SweepPlace> part) {
-    for (std::size_t first = 0; first < part.size();) {
-        std::size_t end = first + 1;
-        while (end < part.size() && part[end].a == part[first].a && part[end].b == part[first].b)
-            ++end;
-        prepare_pair(std::span(constraints).subspan(part[first].constraint, end - first));
-        first = end;
-    }
+    for_each_pair(part, [this](std::span<ContactConstraint> pair) { prepare_pair(pair); });
 }
 
 /// How stiffly constraints press each body along each direction, against its own mass: the sum of m n n^T / own mass over

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -15,14 +16,8 @@ constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii,
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
 /// What a sweep changes a speed by is much beyond this share of the bodies' own speed.
 constexpr Real kRestlessOfSpeed = 0.1_r;
+constexpr Real kLasts = 2;       ///< times the load before: more is an impact
 constexpr Real kOut_m = 1e-5_r;  ///< what bounced and will be no deeper is out
-
-/// R(q)^T v - v without the cancellation of the two terms.
-inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
-    const Vec3 axis{-q.x, -q.y, -q.z};
-    const Vec3 t = Real{2} * glm::cross(axis, v);
-    return q.w * t + glm::cross(axis, t);
-}
 
 /// The n-th of directions that are spread evenly over the sphere (Fibonacci's).
 Vec3 direction_of(std::uint32_t n) {
@@ -49,22 +44,32 @@ inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) 
     body.velocity_increment_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
 }
 
-/// The places turn with the bodies: with the arms of the step's start, what lies on a swing would be pushed towards where it
-/// was, and the swing lose energy.
-inline void turn_arms(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
-    if (a.has_turned())
-        constraint.angular_a =
-            cross_lanes(turned(a.delta_rotation, constraint.offset_a), constraint.normal);
-    if (b.has_turned())
-        constraint.angular_b =
-            cross_lanes(turned(b.delta_rotation, constraint.offset_b), constraint.normal);
-}
-
 /// What is taken back of the impulse before, of an impact that is over, did not act all through the sub-step either. A
 /// body that has no such share, as joints solved by iteration leave it, gets none.
 inline void take_back(SolverBody& body, const Vec3& velocity_mps, const Vec3& spin_radps) {
     if (body.velocity_increment_mps != Vec3{0, 0, 0}) body.velocity_increment_mps += velocity_mps;
     if (body.spin_increment_radps != Vec3{0, 0, 0}) body.spin_increment_radps += spin_radps;
+}
+
+/// What pressed two bodies much more than in the sub-step before that was an impact, which does not go on. `light_Ns`: what rests presses
+/// as hard when it lands from a sub-step's fall.
+void ease_impact(std::span<ContactConstraint> pair, Real light_Ns) {
+    Real load_Ns = 0;
+    Real before_Ns = 0;
+    for (ContactConstraint& constraint : pair) {
+        load_Ns += sum_of(constraint.normal_Ns);
+        before_Ns += std::exchange(constraint.load_before_Ns, Real{0});
+    }
+    pair.front().load_before_Ns = load_Ns;
+    const Real eased_Ns = std::min(load_Ns, std::max(kLasts * before_Ns, light_Ns));
+    if (eased_Ns == load_Ns) return;
+    const Real share = eased_Ns / load_Ns;
+    for (ContactConstraint& constraint : pair) {
+        constraint.normal_Ns *= splat(share);
+        for (Real& tangent_Ns : constraint.tangent_Ns) tangent_Ns *= share;
+        constraint.twist_Nms *= share;
+        constraint.rolling_Nms *= share;
+    }
 }
 
 /// What nothing moves is not pushed out, and hands no speed limit on from one body to another.
@@ -73,6 +78,31 @@ void mark_depenetrated(SolverBody& a, SolverBody& b) {
         if (body->movable()) body->depenetrated = true;
     }
 }
+
+/// Of both sub-steps as much as neither changed much of: the rest is an impact.
+Lanes steady_part(Lanes before, Lanes now) {
+    const Lanes least = before < now ? before : now;
+    const Lanes unchanged = least + least - (before < now ? now : before);
+    return unchanged > splat(0) ? unchanged : splat(0);
+}
+
+/// What a contact does to its bodies' velocities by its arms.
+struct Wrench {
+    Vec3 force_Ns;
+    Vec3 torque_a_Nms;
+    Vec3 torque_b_Nms;
+
+    Wrench(const ContactConstraint& constraint, Lanes normal_Ns, Real friction_share) {
+        const Vec3 friction = (constraint.tangent[0] * constraint.tangent_Ns[0] +
+                               constraint.tangent[1] * constraint.tangent_Ns[1]) *
+                              friction_share;
+        force_Ns = constraint.normal * sum_of(normal_Ns) + friction;
+        torque_a_Nms = weighted_sum(constraint.angular_a, normal_Ns) +
+                       glm::cross(constraint.center_a, friction);
+        torque_b_Nms = weighted_sum(constraint.angular_b, normal_Ns) +
+                       glm::cross(constraint.center_b, friction);
+    }
+};
 
 }  // namespace
 
@@ -84,7 +114,15 @@ std::uint64_t ContactSet::row_solves() const {
 
 void ContactSet::warm_start() {
     each_part_in_order([this](std::span<const SweepPlace> part) {
-        for (const SweepPlace& place : part) warm_start(constraints[place.constraint]);
+        for_each_pair(part, [this](std::span<ContactConstraint> pair) {
+            const Real linear =
+                bodies_[pair.front().a].inverse_mass + bodies_[pair.front().b].inverse_mass;
+            ease_impact(pair, bounce_mps_ / linear);
+            for (ContactConstraint& constraint : pair) {
+                constraint.before_Ns = constraint.normal_Ns;
+                warm_start(constraint);
+            }
+        });
     });
 }
 
@@ -135,32 +173,27 @@ void ContactSet::update_sphere_separations(ContactConstraint& constraint) const 
 
 void ContactSet::update_separations(ContactConstraint& constraint) const {
     if (constraint.spheres()) return update_sphere_separations(constraint);
-    const SolverBody& a = bodies_[constraint.a];
-    const SolverBody& b = bodies_[constraint.b];
-    const Vec3 moved = a.delta_position_m - b.delta_position_m;
-    const Real along = glm::dot(constraint.normal, moved);
-    const Lanes of_a =
-        dot_lanes(turned_back_change(a.delta_rotation, constraint.normal), constraint.offset_a);
-    const Lanes of_b =
-        dot_lanes(turned_back_change(b.delta_rotation, constraint.normal), constraint.offset_b);
-    constraint.separation_m = constraint.start_separation_m + splat(along) + of_a - of_b;
-    if (!constraint.rounded()) {
-        if (constraint.jointed) turn_arms(constraint, a, b);
-        return;
-    }
-    // The sphere moved over the other side: what touches it there is where the sphere is now.
-    const Vec3 shift = constraint.shift_of(moved);
-    for (int i = 0; i < constraint.count; ++i) {
-        if (constraint.radius_a > 0) {
-            set_lane(constraint.angular_b,
-                     i,
-                     glm::cross(constraint.arm_b(i) + shift, constraint.normal));
-        } else {
-            set_lane(constraint.angular_a,
-                     i,
-                     glm::cross(constraint.arm_a(i) - shift, constraint.normal));
-        }
-    }
+    follow(constraint, bodies_[constraint.a], bodies_[constraint.b]);
+}
+
+/// Follows the bodies' motion of the sub-step. What presses steadily acts half before it and half after, where the arms are others then
+/// (as RATTLE has it, Andersen 1983): else what rocks and rolls would gain energy.
+void ContactSet::follow_motion(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    const Real load_Ns = sum_of(constraint.normal_Ns);
+    if (!arms_turn(constraint, a, b) || !(load_Ns > 0)) return update_separations(constraint);
+    const Lanes half = steady_part(constraint.before_Ns, constraint.normal_Ns) * splat(Real{0.5});
+    const Real friction_share = sum_of(half) / load_Ns;
+    const Wrench before(constraint, half, friction_share);
+    update_separations(constraint);
+    const Wrench after(constraint, half, friction_share);
+    const Vec3 more = after.force_Ns - before.force_Ns;
+    a.velocity_mps += more * a.inverse_mass;
+    a.spin_radps += a.inverse_inertia * (after.torque_a_Nms - before.torque_a_Nms);
+    if (!b.movable()) return;
+    b.velocity_mps -= more * b.inverse_mass;
+    b.spin_radps -= b.inverse_inertia * (after.torque_b_Nms - before.torque_b_Nms);
 }
 
 /// Returns by how much it changed the speed at the contact, m/s.
@@ -216,7 +249,10 @@ Real ContactSet::solve_with_bias(ContactConstraint& constraint, Sweep which) {
 
 /// Returns by how much it changed speeds at the contact, m/s.
 Real ContactSet::relax(ContactConstraint& constraint) {
-    update_separations(constraint);
+    follow_motion(constraint);
+    const SolverBody& a = bodies_[constraint.a];
+    const SolverBody& b = bodies_[constraint.b];
+    if (a.turned.is_far || b.turned.is_far) weigh_anew(constraint, a, b);
     // Friction turns a body about its centre, which loads other points than before: where it did
     // so, both are solved again.
     Real changed_mps = 0;

@@ -103,6 +103,18 @@ private:
             for (std::size_t cell = begin; cell < end; ++cell) order_.each_part_of(cell, work);
         });
     }
+    /// Calls `work` with the constraints of each two bodies: in a part as in all they are one after the other.
+    template <typename Work>
+    void for_each_pair(std::span<const SweepPlace> part, const Work& work) {
+        for (std::size_t first = 0; first < part.size();) {
+            std::size_t end = first + 1;
+            while (end < part.size() && part[end].a == part[first].a &&
+                   part[end].b == part[first].b)
+                ++end;
+            work(std::span(constraints).subspan(part[first].constraint, end - first));
+            first = end;
+        }
+    }
     void prepare_part(std::span<const SweepPlace> part);
     bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
     template <typename Solve>
@@ -110,6 +122,7 @@ private:
     template <typename Solve>
     bool sweep_part(std::span<const SweepPlace> part, Sweep which, Solve solve);
     void warm_start(const ContactConstraint& constraint);
+    void follow_motion(ContactConstraint& constraint);
     Real solve_with_bias(ContactConstraint& constraint, Sweep which);
     Real relax(ContactConstraint& constraint);
     bool relax_normal(ContactConstraint& constraint, Real& changed_mps);

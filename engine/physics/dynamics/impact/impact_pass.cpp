@@ -256,21 +256,12 @@ bool ImpactPass::gather(const Pair& pair, bool may_shift) {
         const SolverBody& a = bodies_[constraint.a];
         const SolverBody& b = bodies_[constraint.b];
         if (constraint.spheres()) turn_to_impact(constraint, a, b, h);
-        const Vec3 moved =
-            constraint.shift_of(a.delta_position_m - b.delta_position_m);  // 0 unless rounded
         for (int i = 0; i < constraint.count; ++i) {
-            ImpactPoint impact{.constraint = at,
-                               .lane = i,
-                               .arm_a = constraint.arm_a(i),
-                               .arm_b = constraint.arm_b(i)};
-            if (constraint.spheres()) {
-                // Where update_separations() just found them.
-                impact.arm_a = constraint.center_a;
-                impact.arm_b = constraint.center_b;
-            } else {
-                (constraint.radius_a > 0 ? impact.arm_b : impact.arm_a) +=
-                    constraint.radius_a > 0 ? moved : -moved;
-            }
+            // Of spheres where update_separations() just found them.
+            const PointArms arms = constraint.spheres()
+                                       ? PointArms{constraint.center_a, constraint.center_b}
+                                       : arms_of(constraint, a, b, i);
+            ImpactPoint impact{.constraint = at, .lane = i, .arm_a = arms.a, .arm_b = arms.b};
             impact.belt_mps = contacts_->belt_velocity_at(constraint, impact.arm_b);
             const Real speed = glm::dot(a.velocity_at(impact.arm_a) - b.velocity_at(impact.arm_b),
                                         constraint.normal);

@@ -43,10 +43,6 @@ TEST(ContactConstraint, ResponsesAreThoseOfARigidBody) {
     EXPECT_NEAR(static_cast<double>(response[0][2]), 0.5 - 0.5 * 3, 1e-6) << "across";
     EXPECT_NEAR(static_cast<double>(response[0][1]), 0.5, 1e-6) << "beside";
     EXPECT_TRUE(on.contact.against_immovable);
-    EXPECT_FALSE(on.contact.carried);
-    on.ground.spin_radps = {0, 1, 0};
-    on.prepare_rigid();
-    EXPECT_TRUE(on.contact.carried) << "the ground turns, and gives way to nothing";
 }
 
 // One point alone: the inverse is the reciprocal; lanes without a point stay out of it.

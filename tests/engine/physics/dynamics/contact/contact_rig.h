@@ -154,6 +154,7 @@ private:
         body.start_position_m += Vec3d(body.delta_position_m);
         body.start_orientation =
             glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
+        body.turned = {};
         body.delta_position_m = Vec3{0, 0, 0};
         body.delta_rotation = kNoRotation;
         if (!body.movable()) return;

@@ -183,6 +183,7 @@ TEST(ContactSet, WarmStartIsTheWrenchOfWhatTheBlockHolds) {
     Random random(5);
     FreePair pair(random);
     pair.constraint().normal_Ns[0] = 2;
+    pair.constraint().load_before_Ns = 2;
     pair.constraint().tangent_Ns[0] = 0.3_r;
     pair.constraint().twist_Nms = 0.1_r;
     pair.constraint().rolling_Nms = Vec3{0.1_r, 0.2_r, 0};
@@ -201,6 +202,20 @@ TEST(ContactSet, WarmStartIsTheWrenchOfWhatTheBlockHolds) {
                    pair.inertia[i] * Vec3d(pair.bodies[i].spin_increment_radps);
     }
     EXPECT_LT(glm::length(angular), by_precision(1e-5, 1e-13));
+}
+
+// Twice the load before it goes on; the rest was an impact, and so is its friction.
+TEST(ContactSet, AnImpactDoesNotGoOn) {
+    Random random(5);
+    FreePair pair(random);
+    pair.constraint().normal_Ns[0] = 200;
+    pair.constraint().load_before_Ns = 10;
+    pair.constraint().tangent_Ns[0] = 40;
+    pair.begin();
+    pair.contacts.warm_start();
+    EXPECT_NEAR(static_cast<double>(pair.constraint().normal_Ns[0]), 20, 1e-4);
+    EXPECT_NEAR(static_cast<double>(pair.constraint().tangent_Ns[0]), 4, 1e-5);
+    EXPECT_EQ(pair.constraint().load_before_Ns, Real{200});
 }
 
 class Resting : public testing::TestWithParam<int> {};
