@@ -46,16 +46,16 @@ KNOWN_RED = {
         ("mean_displacement_m at most 0.1", 0.258, "the wall as the load of its upper rows settles"),
     ],
     "H15": [
-        ("penetration_m at most 0.002", 0.00599, "the topmost pair as it settles; it slides off no more"),
+        ("penetration_m at most 0.002", 0.006, "the topmost pair as it settles; it slides off no more"),
     ],
     "H17": [
-        ("penetration_m at most 0.005", 0.00906, "the last dominoes as they land"),
+        ("penetration_m at most 0.005", 0.00813, "the last dominoes as they land"),
     ],
     "H31b": [
         ("max_joint_error_m at most 0.01", 0.02535, "as the free edge cracks like a whip: 54 m/s at 6.1 s"),
     ],
     "H34": [
-        ("penetration_m at most 0.01", 0.0114, "limbs as the pit fills, and where others lie on them"),
+        ("penetration_m at most 0.01", 0.0111, "limbs as the pit fills, and where others lie on them"),
     ],
     "H43": [
         ("penetration_m at most 0.02", 0.0207, "the first of the chain, in the steps in which it is pressed hardest"),
@@ -67,21 +67,21 @@ KNOWN_RED = {
         ("penetration_m at most 0.004", 0.0117, "plates that land on an edge, for a step"),
     ],
     "H66": [
-        (BRAKED, 55.5, "balls in one spot push each other in rows, and the guard takes what that gives them out"),
+        (BRAKED, 57.8, "balls in one spot push each other in rows, and the guard takes what that gives them out"),
     ],
     "H75": [
-        ("displacement_m against lift at most 0.02, until 2.9 s", 0.0256,
+        ("displacement_m against lift at most 0.02, until 2.9 s", 0.0267,
          "the topmost box in the step in which the lift starts and goes 5 cm at once"),
     ],
     "H81": [
-        (BRAKED, 2.59, "the balls push each other in rows, and the guard takes 744 J out"),
+        (BRAKED, 2.42, "the balls push each other in rows, and the guard takes that out"),
     ],
     "D11": [
-        ("penetration_m at most 0.005", 0.01804, "long boxes with spin as they land on the edges of triangles"),
-        ("penetration_m at most 0.0008", 0.01804, "the same"),
+        ("penetration_m at most 0.005", 0.0119, "long boxes with spin as they land on the edges of triangles"),
+        ("penetration_m at most 0.0008", 0.0119, "the same"),
     ],
     "D13": [
-        ("penetration_m at most 0.002", 0.01066, "corners of plates that slap down at 4 to 9 m/s about an edge that lies already"),
+        ("penetration_m at most 0.002", 0.0129, "corners of plates that slap down at 4 to 9 m/s about an edge that lies already"),
     ],
     "D14": [
         ("sag_m of large.0.63.0 at most 0.001", 0.0927,
@@ -91,7 +91,7 @@ KNOWN_RED = {
         ("penetration_m at most 4e-05", 0.0027, "the same"),
     ],
     "D15": [
-        ("penetration_m at most 0.002", 0.00405, "two bodies that meet at 600 m/s, for a step"),
+        ("penetration_m at most 0.002", 0.00416, "two bodies that meet at 600 m/s, for a step"),
     ],
 }
 
@@ -143,6 +143,9 @@ A looser limit is a commit of its own that says so, and a line here.
 | D11 and H15, known red: penetration | reach 1.36 cm and 5.2 mm | 1.81 cm and 6 mm | bodies of unequal moments that turn fast move by the mean of their spin over a sub-step as others do: other landings |
 | `known_red_accuracy.cpp`, A36 with 4 blocks, share of the reach | reaches 1.42 % | 1.48 % | the same; with 6 blocks 3.95 % (5.5 % before) |
 | `bullet_examples_test.cpp`, a ragdoll comes to rest | within 10 s | 20 s | limbs on joints without friction rock for as long as chance has it: of ten falls from heights 1 cm apart seven lay still after 10 s before, five do now, nine after 20 s |
+| D13, D15, H66 and H75, known red | reach 1.07 cm, 4.05 mm, 55.5 and 2.56 cm | 1.29 cm, 4.16 mm, 57.8 and 2.67 cm | contacts follow their bodies within the step, and impacts do not go on as friction and load: other landings |
+| `known_red_accuracy.cpp`, A36 with 6 blocks, share of the reach | reaches 3.95 % | 3.98 %; in double precision 4.0 % | the same |
+| `standing_hulls_test.cpp`, creep of five uneven stones | 0.1 mm | 0.15 mm | the same: one of eight heaps creeps by 0.123 mm as it settles |
 
 ## What is not here
 

@@ -67,11 +67,6 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      0.0015,
      0.0015,
      "sags by gravity times the sub-step squared, whatever its size"},
-    {"Sliding.A29ABoxBelowTheLimitStays",
-     "A29 creep in 60 s m S=1",
-     0.000125,
-     std::nullopt,
-     "slips in the first sub-step, a 60th of a second"},
     {"Sliding.H76ABoxOnATurningPlateSlipsWhenItMust",
      "H76 rate of slip S=1",
      0.45,
@@ -84,8 +79,8 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      "the velocity that the first sub-step gives tips what has less to spare"},
     {"Support.A36BlocksLeanOutAsFarAsTheSeriesSays",
      "A36 6 blocks, share of the reach that falls",
-     0.0395,
-     0.0395,
+     0.0398,
+     0.04,
      "the velocity that the first sub-step gives tips what has less to spare"},
 });
 
