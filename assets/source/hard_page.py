@@ -55,7 +55,7 @@ KNOWN_RED = {
         ("max_joint_error_m at most 0.01", 0.02535, "as the free edge cracks like a whip: 54 m/s at 6.1 s"),
     ],
     "H34": [
-        ("penetration_m at most 0.01", 0.0111, "limbs as the pit fills, and where others lie on them"),
+        ("penetration_m at most 0.01", 0.0112, "limbs as the pit fills, and where others lie on them"),
     ],
     "H43": [
         ("penetration_m at most 0.02", 0.0207, "the first of the chain, in the steps in which it is pressed hardest"),
@@ -74,17 +74,17 @@ KNOWN_RED = {
          "the topmost box in the step in which the lift starts and goes 5 cm at once"),
     ],
     "H81": [
-        (BRAKED, 2.42, "the balls push each other in rows, and the guard takes that out"),
+        (BRAKED, 2.43, "the balls push each other in rows, and the guard takes that out"),
     ],
     "D11": [
-        ("penetration_m at most 0.005", 0.0119, "long boxes with spin as they land on the edges of triangles"),
-        ("penetration_m at most 0.0008", 0.0119, "the same"),
+        ("penetration_m at most 0.005", 0.012, "long boxes with spin as they land on the edges of triangles"),
+        ("penetration_m at most 0.0008", 0.012, "the same"),
     ],
     "D13": [
-        ("penetration_m at most 0.002", 0.0129, "corners of plates that slap down at 4 to 9 m/s about an edge that lies already"),
+        ("penetration_m at most 0.002", 0.013, "corners of plates that slap down at 4 to 9 m/s about an edge that lies already"),
     ],
     "D14": [
-        ("sag_m of large.0.63.0 at most 0.001", 0.0927,
+        ("sag_m of large.0.63.0 at most 0.001", 0.0928,
          "sixty-four sheets sag as their contacts give way by a share of their thickness each"),
         ("sag_m of small.0.63.0 at most 0.001", 0.0927, "the same"),
         ("sag_m of thin.0.63.0 at most 0.001", 0.0834, "the same"),
@@ -143,7 +143,7 @@ A looser limit is a commit of its own that says so, and a line here.
 | D11 and H15, known red: penetration | reach 1.36 cm and 5.2 mm | 1.81 cm and 6 mm | bodies of unequal moments that turn fast move by the mean of their spin over a sub-step as others do: other landings |
 | `known_red_accuracy.cpp`, A36 with 4 blocks, share of the reach | reaches 1.42 % | 1.48 % | the same; with 6 blocks 3.95 % (5.5 % before) |
 | `bullet_examples_test.cpp`, a ragdoll comes to rest | within 10 s | 20 s | limbs on joints without friction rock for as long as chance has it: of ten falls from heights 1 cm apart seven lay still after 10 s before, five do now, nine after 20 s |
-| D13, D15, H66 and H75, known red | reach 1.07 cm, 4.05 mm, 55.5 and 2.56 cm | 1.29 cm, 4.16 mm, 57.8 and 2.67 cm | contacts follow their bodies within the step, and impacts do not go on as friction and load: other landings |
+| D13, D14 (sag of the large ones), D15, H66 and H75, known red | reach 1.07, 9.27 cm, 4.05 mm, 55.5 and 2.56 cm | 1.3, 9.28 cm, 4.16 mm, 57.8 and 2.67 cm | contacts follow their bodies within the step, and impacts do not go on as friction and load: other landings |
 | `known_red_accuracy.cpp`, A36 with 6 blocks, share of the reach | reaches 3.95 % | 3.98 %; in double precision 4.0 % | the same |
 | H17 at 30 Hz, known red: penetration (`known_red_hard_cases.cpp`) | reaches 1.58 m, in double precision 1.64 m | 1.79 m | the same |
 | `standing_hulls_test.cpp`, creep of five uneven stones | 0.1 mm | 0.15 mm | the same: one of eight heaps creeps by 0.123 mm as it settles |
