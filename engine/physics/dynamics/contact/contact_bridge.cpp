@@ -25,17 +25,16 @@ void start_constraint(ContactConstraint& constraint,
     constraint.b = ends.a_moves ? ends.b : ends.a;
     constraint.belt = ends.belt;
     constraint.normal = sign * point.normal_world;
-    constraint.radius_a = ends.a_moves ? point.a.radius_m : point.b.radius_m;
-    constraint.radius_b = ends.a_moves ? point.b.radius_m : point.a.radius_m;
-    const std::array<Vec3, 2> tangents = tangents_of(point.normal_world);
-    for (std::size_t t = 0; t < 2; ++t) constraint.tangent[t] = sign * tangents[t];
     const ContactSide& side_a = ends.a_moves ? point.a : point.b;
     const ContactSide& side_b = ends.a_moves ? point.b : point.a;
+    constraint.radius_a = side_a.radius_m;
+    constraint.radius_b = side_b.radius_m;
+    const std::array<Vec3, 2> tangents = tangents_of(point.normal_world);
+    for (std::size_t t = 0; t < 2; ++t) constraint.tangent[t] = sign * tangents[t];
     constraint.axis_a = side_a.axis;
     constraint.axis_b = side_b.axis;
     constraint.rolls = side_a.axis != Vec3{0, 0, 0} || side_b.axis != Vec3{0, 0, 0};
-    constraint.face_turns = (constraint.radius_a > 0) != (constraint.radius_b > 0) &&
-                            (constraint.radius_a > 0 ? side_b : side_a).is_moving_face;
+    constraint.face_turns = side_a.is_moving_face || side_b.is_moving_face;
     constraint.friction = manifold.material.friction;
     constraint.restitution = manifold.material.restitution;
     constraint.rolling_m = manifold.material.rolling_m;

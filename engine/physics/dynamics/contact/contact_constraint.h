@@ -126,6 +126,8 @@ void prepare(ContactConstraint& constraint,
              const SolverBody& b,
              const Softness& soft,
              Real sharing);
+/// Turns the normal, and the tangents by the shortest way with it.
+void turn_normal(ContactConstraint& constraint, const Vec3& normal);
 /// Whether follow() may find other arms than prepare() did.
 bool arms_turn(const ContactConstraint& constraint, const SolverBody& a, const SolverBody& b);
 /// Separations, arms and normal where the bodies have gone to since the step's start.

@@ -98,13 +98,6 @@ PointArms round_arms(const ContactConstraint& constraint,
     return arms;
 }
 
-void turn_normal(ContactConstraint& constraint, const Vec3& normal) {
-    constraint.normal = normal;
-    const Vec3 along = constraint.tangent[0] - normal * glm::dot(normal, constraint.tangent[0]);
-    constraint.tangent[0] = normalize_or(along, constraint.tangent[1]);
-    constraint.tangent[1] = glm::cross(normal, constraint.tangent[0]);
-}
-
 void follow_round(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
     if (constraint.face_turns) {
         const Quat& face = constraint.radius_a > 0 ? b.delta_rotation : a.delta_rotation;
@@ -137,6 +130,13 @@ void follow_round(ContactConstraint& constraint, const SolverBody& a, const Solv
 }
 
 }  // namespace
+
+void turn_normal(ContactConstraint& constraint, const Vec3& normal) {
+    constraint.normal = normal;
+    const Vec3 along = constraint.tangent[0] - normal * glm::dot(normal, constraint.tangent[0]);
+    constraint.tangent[0] = normalize_or(along, constraint.tangent[1]);
+    constraint.tangent[1] = glm::cross(normal, constraint.tangent[0]);
+}
 
 PointArms arms_of(const ContactConstraint& constraint,
                   const SolverBody& a,

@@ -157,18 +157,14 @@ void ContactSet::update_sphere_separations(ContactConstraint& constraint) const 
                        (offset_b - lane(constraint.offset_b, 0));
     const Real distance = glm::length(apart);
     // Spheres on one spot part in directions that differ from pair to pair.
-    constraint.normal = distance > reach_m * kOneSpot
-                            ? apart / distance
-                            : direction_of(constraint.a * 7919U + constraint.b);
+    turn_normal(constraint,
+                distance > reach_m * kOneSpot ? apart / distance
+                                              : direction_of(constraint.a * 7919U + constraint.b));
     constraint.separation_m[0] = distance - reach_m;
     constraint.center_a = offset_a - constraint.normal * constraint.radius_a;
     constraint.center_b = offset_b + constraint.normal * constraint.radius_b;
     set_lane(constraint.angular_a, 0, glm::cross(constraint.center_a, constraint.normal));
     set_lane(constraint.angular_b, 0, glm::cross(constraint.center_b, constraint.normal));
-    const Vec3 along = constraint.tangent[0] -
-                       constraint.normal * glm::dot(constraint.normal, constraint.tangent[0]);
-    constraint.tangent[0] = normalize_or(along, constraint.tangent[1]);
-    constraint.tangent[1] = glm::cross(constraint.normal, constraint.tangent[0]);
 }
 
 void ContactSet::update_separations(ContactConstraint& constraint) const {
