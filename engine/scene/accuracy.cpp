@@ -45,6 +45,12 @@ auto place_of_fidelity(Description& description, std::string_view effect) {
                                 : places.at(static_cast<std::size_t>(found - names.begin()));
 }
 
+/// At lower rates as many as keep the preset's shortest sub-step.
+int most_substeps(const Preset& preset, int step_hz) {
+    const int kept = (preset.small_most * preset.step_hz + step_hz - 1) / step_hz;
+    return std::clamp(kept, preset.small_most, kMostSubsteps);
+}
+
 /// One core is left to who draws, and to the rest of the machine; more threads than these were never measured.
 constexpr int kMostAutoThreads = 4;
 
@@ -130,9 +136,10 @@ physics::WorldDef world_def(const SceneDescription& description,
     const bool same_kind = small == (accuracy.solver == physics::Solver::SmallStep);
     const Accuracy own = same_kind ? accuracy : Accuracy{};
 
+    const int step_hz = overrides.step_hz.value_or(accuracy.step_hz);
     physics::WorldDef def{
         .gravity_mps2 = description.gravity_mps2,
-        .step_s = 1.0 / static_cast<double>(overrides.step_hz.value_or(accuracy.step_hz)),
+        .step_s = 1.0 / static_cast<double>(step_hz),
         .substeps = own.substeps.value_or(small ? preset.small_least : preset.bullet_substeps),
         .iterations =
             own.iterations.value_or(small ? preset.small_iterations : preset.bullet_iterations),
@@ -142,8 +149,8 @@ physics::WorldDef world_def(const SceneDescription& description,
         .threads = thread_count(overrides.threads.value_or(accuracy.threads.value_or(1)))};
     if (small) {
         // A number of sub-steps alone means exactly so many.
-        def.substeps_max =
-            own.substeps_max.value_or(own.substeps ? *own.substeps : preset.small_most);
+        def.substeps_max = own.substeps_max.value_or(own.substeps ? *own.substeps
+                                                                  : most_substeps(preset, step_hz));
         def.substeps = std::min(def.substeps, def.substeps_max);
     }
     if (overrides.substeps) def.substeps = def.substeps_max = *overrides.substeps;

@@ -2,6 +2,7 @@
 #include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
+#include "engine/physics/collision/shape/mass.h"
 #include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/dynamics/contact/contact_bridge.h"
 #include "engine/physics/dynamics/island.h"
@@ -21,8 +22,8 @@ namespace {
 constexpr Real kContactPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
 constexpr double kFarFewer = 0.75;
-constexpr double kSurelyEnough =
-    0.95;  ///< of fewer: the need changes a little with the number itself
+/// Of fewer: the need changes a little with the number itself.
+constexpr double kSurelyEnough = 0.95;
 constexpr int kMostSubsteps = 64;
 /// Of the step: what meets within it when an impact is solved takes part in that.
 constexpr double kImpactShare = 0.01;
@@ -212,7 +213,7 @@ void IslandSolver::Impl::add_to_fields(const BodyRecord& record,
     loop.fields.add(record.small.row, record.id, record.small.fields);
 }
 
-/// What the contacts carried lately; a new one is taken to carry the heavier body.
+/// What the contacts carried lately, or what stands on them.
 SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep& step) {
     chooser.begin(island.bodies.size(), step.step_s);
     if (step.substeps_most <= step.substeps_least)
@@ -220,32 +221,33 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     const auto number_of = [](const BodyRecord& record) {
         return pushable(record) ? static_cast<int>(record.small.row) : -1;
     };
-    for (std::size_t i = 0; i < island.bodies.size(); ++i)
-        island.bodies[i]->small.row = static_cast<std::uint32_t>(i);
-    const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        BodyRecord& record = *island.bodies[i];
+        record.small.row = static_cast<std::uint32_t>(i);
+        const Vec3 gravity = Vec3(step.gravity_mps2) * record.traits.gravity_factor;
+        chooser.add_weight(static_cast<int>(i), glm::length(gravity) / record.motion->inverse_mass);
+    }
     for (auto from = island.manifolds.begin(); from != island.manifolds.end();) {
         const Manifold* manifold = *from;
-        Real load_N = 0;
+        SubstepChooser::Pair pair{
+            .a = number_of(*manifold->a), .b = number_of(*manifold->b), .size_m = 1e6_r};
         // All that two bodies have between them carries as one contact does.
         for (; from != island.manifolds.end() && (*from)->a == manifold->a &&
                (*from)->b == manifold->b;
              ++from)
-            load_N += bridge.lasting_load_N(**from);
-        Real size_m = 1e6_r;
+            pair.load_N += bridge.lasting_load_N(**from);
+        pair.is_load_known = pair.load_N > 0;
+        pair.load_N = std::max(pair.load_N, pressed_N(*manifold));
         Real inverse_mass = 0;
-        Real heaviest_kg = 0;
         for (const BodyRecord* end : {manifold->a, manifold->b}) {
-            const BodyRecord& record = *end;
-            if (!pushable(record)) continue;
-            inverse_mass += record.motion->inverse_mass;
-            heaviest_kg = std::max(heaviest_kg, 1 / record.motion->inverse_mass);
-            if (record.sweep.inner_radius_m > 0)
-                size_m = std::min(size_m, 2 * record.sweep.inner_radius_m);
+            const Real inner_radius_m = end->sweep.inner_radius_m;
+            if (!pushable(*end)) continue;
+            inverse_mass += end->motion->inverse_mass;
+            pair.has_plate |= is_plate(end->traits.inertia_kgm2);
+            if (inner_radius_m > 0) pair.size_m = std::min(pair.size_m, 2 * inner_radius_m);
         }
-        if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
-        load_N = std::max(load_N, pressed_N(*manifold));
-        chooser.add_contact(
-            number_of(*manifold->a), number_of(*manifold->b), load_N, 1 / inverse_mass, size_m);
+        pair.reduced_mass_kg = 1 / inverse_mass;
+        chooser.add_contact(pair);
     }
     for (const JointRecord* joint : island.joints) {
         Real spin_radps = glm::length(joint->a->motion->spin_radps);
@@ -290,7 +292,7 @@ void IslandSolver::Impl::hold(const Island& island,
         if (record->small.substeps == had)
             for_steps = std::min(for_steps, record->small.substeps_held);
     }
-    had = std::min(had, step.substeps_most);
+    had = std::min(had, most_of_plates(step.substeps_most));
     const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps &&
                            choice.needed <= kSurelyEnough * choice.substeps;
     const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);

@@ -34,25 +34,26 @@ void SubstepChooser::begin(std::size_t bodies, double step_s) {
     bodies_ = bodies;
     step_s_ = step_s;
     pairs_.clear();
-    deepest_share_ = sum_of_shares_ = 0;
+    carried_N_.assign(bodies, 0);
     fastest_spin_radps_ = joint_error_ = 0;
     has_joints_ = false;
     by_fields_ = by_joints_ = 0;
 }
 
-void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg, Real size_m) {
-    pairs_.push_back({a, b});
-    const bool bounded = a < 0 || b < 0;
+void SubstepChooser::add_weight(int body, Real weight_N) {
+    carried_N_[static_cast<std::size_t>(body)] += weight_N;
+}
+
+/// Sag of one sub-step over the body's size.
+double SubstepChooser::sag_share(const Pair& pair) const {
+    const bool bounded = pair.a < 0 || pair.b < 0;
     const double omega =
         2 * static_cast<double>(kPi * kContactFrequency) * (bounded ? 2 : 1) / step_s_;
-    const double sag =
-        static_cast<double>(load_N) / (static_cast<double>(reduced_mass_kg) * omega * omega);
-    const auto thickness_m = static_cast<double>(size_m);
-    const double share =
-        sag /
-        std::max(thickness_m, std::min(kSmallest_m, thickness_m * kThinShare / kDeepestShare));
-    deepest_share_ = std::max(deepest_share_, share);
-    sum_of_shares_ += share;
+    const double sag_m = static_cast<double>(pair.load_N) /
+                         (static_cast<double>(pair.reduced_mass_kg) * omega * omega);
+    const auto thickness_m = static_cast<double>(pair.size_m);
+    return sag_m /
+           std::max(thickness_m, std::min(kSmallest_m, thickness_m * kThinShare / kDeepestShare));
 }
 
 void SubstepChooser::add_joint(Real spin_radps, Real relative_error, int least_substeps) {
@@ -66,8 +67,8 @@ void SubstepChooser::add_field(int substeps) {
     by_fields_ = std::max(by_fields_, substeps);
 }
 
-/// Bodies on top of each other: how far down to what never moves it is for all but a twentieth.
-int SubstepChooser::levels() {
+/// How many bodies it is from each down to what never moves.
+void SubstepChooser::find_levels() {
     level_.assign(bodies_, 0);
     first_.assign(bodies_ + 1, 0);
     queue_.clear();
@@ -100,13 +101,74 @@ int SubstepChooser::levels() {
             queue_.push_back(other);
         }
     }
-    if (queue_.empty()) return 0;
-    return level_[static_cast<std::size_t>(queue_[(queue_.size() - 1) * 19 / 20])];
+}
+
+/// Of all but a twentieth of the bodies.
+int SubstepChooser::levels() const {
+    return queue_.empty() ? 0 : level_of(queue_[(queue_.size() - 1) * 19 / 20]);
+}
+
+/// The body of the pair that stands on the other, by their levels; -1: none.
+int SubstepChooser::upper_of(const Pair& pair) const {
+    const int level_a = level_of(pair.a);
+    const int level_b = level_of(pair.b);
+    if (level_a == level_b) return -1;
+    return level_a > level_b ? pair.a : pair.b;
+}
+
+/// A new contact carries the heavier body or, where bodies stand on what never moves, its share of all above it: from the top down each
+/// hands what it carries on to what lies lower, in equal shares.
+void SubstepChooser::foretell_loads() {
+    for (Pair& pair : pairs_) {
+        if (pair.is_load_known) continue;
+        for (const int body : {pair.a, pair.b}) {
+            if (body >= 0)
+                pair.load_N = std::max(pair.load_N, carried_N_[static_cast<std::size_t>(body)]);
+        }
+    }
+    supports_.assign(bodies_, 0);
+    for (const Pair& pair : pairs_) {
+        const int upper = upper_of(pair);
+        if (upper >= 0) ++supports_[static_cast<std::size_t>(upper)];
+    }
+    const auto share_of = [this](std::size_t body) {
+        return carried_N_[body] / static_cast<Real>(supports_[body]);
+    };
+    for (auto at = queue_.rbegin(); at != queue_.rend(); ++at) {
+        const auto body = static_cast<std::size_t>(*at);
+        for (int i = first_[body]; i < first_[body + 1]; ++i) {
+            const auto other = static_cast<std::size_t>(neighbour_[static_cast<std::size_t>(i)]);
+            if (level_[other] < level_[body]) carried_N_[other] += share_of(body);
+        }
+    }
+    for (Pair& pair : pairs_) {
+        if (pair.is_load_known) continue;
+        const int upper = upper_of(pair);
+        if (upper >= 0)
+            pair.load_N = std::max(pair.load_N, share_of(static_cast<std::size_t>(upper)));
+    }
+}
+
+/// As shares of the bodies' size: the largest, that of the thin ones, and all on average.
+SubstepChooser::Sag SubstepChooser::foretell_sag() {
+    find_levels();
+    const auto is_new = [](const Pair& pair) { return !pair.is_load_known; };
+    if (std::ranges::any_of(pairs_, is_new)) foretell_loads();
+    Sag sag;
+    for (const Pair& pair : pairs_) {
+        const double share = sag_share(pair);
+        sag.deepest = std::max(sag.deepest, share);
+        if (pair.has_plate) sag.deepest_of_plates = std::max(sag.deepest_of_plates, share);
+        sag.mean += share;
+    }
+    sag.mean /= static_cast<double>(pairs_.size());
+    return sag;
 }
 
 SubstepChoice SubstepChooser::choose(int least, int most) {
     if (most <= least) return {least, SubstepReason::Fixed};
     double needed = 0;
+    double deepest_plate_share = 0;
     SubstepReason reason = SubstepReason::Least;
     const auto ask = [&](double substeps, SubstepReason why) {
         if (substeps <= needed) return;
@@ -114,9 +176,10 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
         if (needed > least) reason = why;
     };
     if (!pairs_.empty()) {
-        const double mean = sum_of_shares_ / static_cast<double>(pairs_.size());
-        ask(std::sqrt(std::max(deepest_share_ / kDeepestShare, mean / kMeanShare)),
-            SubstepReason::Load);
+        const Sag sag = foretell_sag();
+        if (!has_joints_) deepest_plate_share = sag.deepest_of_plates;
+        const double wished = std::max(sag.deepest / kDeepestShare, sag.mean / kMeanShare);
+        ask(std::sqrt(wished), SubstepReason::Load);
         if (bodies_ > static_cast<std::size_t>(least)) {
             ask(kSubstepsPerLevel * levels(), SubstepReason::Height);
         }
@@ -127,10 +190,12 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     ask(by_joints_, SubstepReason::Joint);
     // The error of second-order joints falls with the square of the sub-steps.
     ask(least * std::sqrt(joint_error_ / kJointError), SubstepReason::Error);
+    needed = std::min(needed, static_cast<double>(most));
+    ask(std::sqrt(deepest_plate_share / kDeepestShare), SubstepReason::Load);
     const double asked = std::max(needed, static_cast<double>(least));
     const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), 64.0));
     const int* size = std::lower_bound(kSizes.data(), kSizes.data() + kSizes.size(), wanted);
-    return {std::clamp(*size, least, most), reason, needed};
+    return {std::clamp(*size, least, wanted > most ? most_of_plates(most) : most), reason, needed};
 }
 
 }  // namespace plumbline::physics

@@ -7,6 +7,7 @@
 
 #include "engine/core/math.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -34,40 +35,64 @@ struct SubstepChoice {
     double needed{0};  ///< before rounding up to a number that is used
 };
 
+/// Stacks of plates buckle where contacts give way by a share of their thickness: without joints they get up to so many.
+constexpr int most_of_plates(int most) {
+    constexpr int kTimes = 4;
+    return std::min(kTimes * most, 64);
+}
+
 /// Collects what one island shows before its step.
 class SubstepChooser {
 public:
     /// Bodies are numbered from 0; `step_s` is the whole step.
     void begin(std::size_t bodies, double step_s);
-    /// A pair that presses with `load_N`. `size_m`: of the smaller body, for what "too far" is.
+    /// What the body presses down with by itself.
+    void add_weight(int body, Real weight_N);
     /// A negative index is a body that never moves.
-    void add_contact(int a, int b, Real load_N, Real reduced_mass_kg, Real size_m);
+    struct Pair {
+        int a{-1};
+        int b{-1};
+        Real load_N{0};            ///< that it presses with
+        bool is_load_known{true};  ///< else it carries what stands on it, at least
+        Real reduced_mass_kg{0};
+        Real size_m{0};         ///< of the smaller body, for what "too far" is
+        bool has_plate{false};  ///< one of them is, by is_plate()
+    };
+    void add_contact(const Pair& pair) { pairs_.push_back(pair); }
     /// A joint: the faster spin of its two bodies and the error the latest step left, as a share of
     /// the bodies' size.
     void add_joint(Real spin_radps, Real relative_error, int least_substeps = 0);
     /// A force field acts on one of the bodies.
     void add_field(int substeps);
+    /// From `least` to `most`, or to most_of_plates() where loads on plates without joints ask for more.
     SubstepChoice choose(int least, int most);
 
 private:
-    int levels();
-
-    struct Pair {
-        int a{-1};
-        int b{-1};
+    struct Sag {
+        double deepest{0};
+        double deepest_of_plates{0};
+        double mean{0};
     };
+    Sag foretell_sag();
+    void find_levels();
+    void foretell_loads();
+    int level_of(int body) const { return body < 0 ? 0 : level_[static_cast<std::size_t>(body)]; }
+    int upper_of(const Pair& pair) const;
+    int levels() const;
+    double sag_share(const Pair& pair) const;
+
     double step_s_{1.0 / 60.0};
     std::size_t bodies_{0};
     std::vector<Pair> pairs_;
-    double deepest_share_{0};  ///< sag of one sub-step over the body's size: the largest ...
-    double sum_of_shares_{0};  ///< ... and all together
     bool has_joints_{false};
     double fastest_spin_radps_{0};
     double joint_error_{0};
     int by_fields_{0};
     int by_joints_{0};
-    std::vector<int> level_;  ///< of each body, 0: not reached
-    std::vector<int> first_;  ///< neighbours of body i: neighbour_[first_[i]] on
+    std::vector<Real> carried_N_;  ///< by each body, itself included
+    std::vector<int> supports_;    ///< of each body: pairs with what lies lower
+    std::vector<int> level_;       ///< of each body, 0: not reached
+    std::vector<int> first_;       ///< neighbours of body i: neighbour_[first_[i]] on
     std::vector<int> neighbour_;
     std::vector<int> queue_;
 };

@@ -79,8 +79,8 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      "the velocity that the first sub-step gives tips what has less to spare"},
     {"Support.A36BlocksLeanOutAsFarAsTheSeriesSays",
      "A36 6 blocks, share of the reach that falls",
-     0.0398,
-     0.04,
+     0.0236,
+     0.0236,
      "the velocity that the first sub-step gives tips what has less to spare"},
 });
 

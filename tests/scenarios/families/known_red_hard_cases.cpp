@@ -7,11 +7,6 @@ namespace plumbline::study {
 namespace {
 
 constexpr auto kKnownRed = std::to_array<KnownRed>({
-    {"Shipped/GalleryCases.HoldTheirOwnRules/H05At30Hz",
-     "H05 30 Hz: penetration_m at most 0.02",
-     1.5,
-     1.5,
-     "16 sub-steps at most, at twice the length"},
     {"Shipped/GalleryCases.HoldTheirOwnRules/H17At30Hz",
      "H17 30 Hz: penetration_m at most 0.005",
      1.79,

@@ -59,5 +59,19 @@ TEST(Stack, CoinsBesideEachOthersMiddlesLieStill) {
     expect_at_most("30 coins penetration m", seen.penetration_m, 1e-3);
 }
 
+/// Of 2 mm thickness and 24 mm width, each beside the next by up to half a millimetre: the lowest carries 39 others.
+TEST(Stack, FortyCoinsOfTheirTrueSizeStand) {
+    constexpr double kThick_m = 0.002;
+    ScenarioWorld world(balanced());
+    world.floor();
+    for (int i = 0; i < 40; ++i)
+        world.cylinder(
+            {0.0005 * (i % 3), kThick_m * (i + 0.5), 0.0002 * (i * 7 % 5)}, 0.012, kThick_m);
+    const Watch seen = watch(world, 6, 3);
+    EXPECT_TRUE(seen.finite);
+    expect_at_most("40 small coins speed m/s", seen.speed_mps, 1e-3);
+    expect_at_most("40 small coins penetration m", seen.penetration_m, 1e-4);
+}
+
 }  // namespace
 }  // namespace plumbline::study

@@ -17,6 +17,8 @@ constexpr double kSticksOut = 0.05;
 /// Of the points' extent round their middle: what is no less deep than that counts as near. Of a body at rest all do, as
 /// contacts give way by as much (substep_choice.cpp), so its places alone decide and the choice stays while loads change.
 constexpr double kAsNear = 0.003;
+/// ... and what is deeper than this share of the deepest: heavy loads press contacts in by more.
+constexpr double kAsDeepShare = 0.5;
 constexpr double kAll_m = std::numeric_limits<double>::max();
 
 PointChoice all_of(std::size_t count) {
@@ -40,7 +42,8 @@ public:
         double most2 = 0;
         for (const FlatPoint& point : points)
             most2 = std::max(most2, square(point.place - middle_));
-        near_m_ = deepest_m_ + std::max(level_m, kAsNear * std::sqrt(most2));
+        near_m_ = deepest_m_ +
+                  std::max({level_m, kAsNear * std::sqrt(most2), -kAsDeepShare * deepest_m_});
     }
 
     /// Those that span most: of all points or, where that takes some that hardly touch, of the deep ones, if they span an area.
@@ -65,7 +68,8 @@ public:
         choice.count = std::min(choice.count, PointChoice::kMost - 1);
         keep_best(
             [&](const FlatPoint& point) {
-                return is_deeper(point) ? square(point.place - middle_) : -1;
+                return point.distance_m <= deepest_m_ + level_m_ ? square(point.place - middle_)
+                                                                 : -1;
             },
             -0.5);
         if (choice.count == PointChoice::kMost) return;

@@ -110,6 +110,15 @@ SolidMass joined(const SolidMass& a, const SolidMass& b) {
                        parallel_axis(b.volume_m3, b.center_m - center)};
 }
 
+bool is_plate(const Vec3d& inertia) {
+    constexpr double kThin = 1.0 / 6;
+    const double half = (inertia.x + inertia.y + inertia.z) / 2;
+    // In proportion to the squares of the box's edges.
+    std::array squares{half - inertia.x, half - inertia.y, half - inertia.z};
+    std::ranges::sort(squares);
+    return squares[0] < kThin * kThin * squares[1];
+}
+
 PrincipalFrame principal_frame(const Mat3d& inertia) {
     Mat3d a = inertia;
     const double largest = std::max({std::abs(a[0][0]), std::abs(a[1][1]), std::abs(a[2][2])});

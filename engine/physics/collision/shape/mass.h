@@ -42,6 +42,9 @@ SolidMass moved(const SolidMass& mass, const Vec3d& offset_m, const Quatd& rotat
 /// Both together; they must be in one frame. Overlaps count twice.
 SolidMass joined(const SolidMass& a, const SolidMass& b);
 
+/// Of principal moments: whether the box that has the same is thinner than a sixth of its width.
+bool is_plate(const Vec3d& inertia);
+
 /// Off-diagonal terms below a ten-thousandth of the largest moment count as none, so that a body
 /// that is symmetric but for rounding keeps its own axes.
 PrincipalFrame principal_frame(const Mat3d& inertia);

@@ -11,17 +11,21 @@
 namespace plumbline::physics {
 namespace {
 
+SubstepChooser::Pair pressed(int a, int b, Real load_N, Real mass_kg = 1) {
+    return {.a = a, .b = b, .load_N = load_N, .reduced_mass_kg = mass_kg, .size_m = 1};
+}
+
 SubstepChoice for_load(double load_N, double mass_kg, int least = 1, int most = 64) {
     SubstepChooser chooser;
     chooser.begin(1, kStep_s);
-    chooser.add_contact(0, -1, real(load_N), real(mass_kg), 1);
+    chooser.add_contact(pressed(0, -1, real(load_N), real(mass_kg)));
     return chooser.choose(least, most);
 }
 
 SubstepChoice for_tower(int height, int least = 1, int most = 64) {
     SubstepChooser chooser;
     chooser.begin(static_cast<std::size_t>(height), kStep_s);
-    for (int i = 0; i < height; ++i) chooser.add_contact(i, i - 1, 1e-3_r, 1, 1);
+    for (int i = 0; i < height; ++i) chooser.add_contact(pressed(i, i - 1, 1e-3_r));
     return chooser.choose(least, most);
 }
 
@@ -95,8 +99,8 @@ TEST(SubstepChoice, AFloorFullOfBodiesIsNotHigh) {
     SubstepChooser chooser;
     chooser.begin(1000, kStep_s);
     for (int i = 0; i < 1000; ++i) {
-        chooser.add_contact(-1, i, 1e-3_r, 1, 1);
-        if (i > 0) chooser.add_contact(i - 1, i, 1e-3_r, 1, 1);
+        chooser.add_contact(pressed(-1, i, 1e-3_r));
+        if (i > 0) chooser.add_contact(pressed(i - 1, i, 1e-3_r));
     }
     EXPECT_EQ(chooser.choose(1, 64).substeps, 1);
 }
@@ -107,8 +111,63 @@ TEST(SubstepChoice, TheOrderOfTheContactsDoesNotMatter) {
     for (int i = 0; i < kHeight; ++i) order[static_cast<std::size_t>(i)] = i * 17 % kHeight;
     SubstepChooser chooser;
     chooser.begin(kHeight, kStep_s);
-    for (int i : order) chooser.add_contact(i - 1, i, 1e-3_r, 1, 1);
+    for (int i : order) chooser.add_contact(pressed(i - 1, i, 1e-3_r));
     EXPECT_EQ(chooser.choose(1, 64).substeps, for_tower(kHeight).substeps);
+}
+
+/// What stands on each other without a history of loads asks for as many sub-steps as with the loads that it will carry.
+TEST(SubstepChoice, NewContactsCarryWhatStandsOnThem) {
+    constexpr int kHeight = 20;
+    const auto of_tower = [](bool is_known) {
+        SubstepChooser chooser;
+        chooser.begin(kHeight, kStep_s);
+        for (int i = 0; i < kHeight; ++i) {
+            chooser.add_weight(i, 100);
+            SubstepChooser::Pair pair = pressed(i, i - 1, 100);
+            pair.is_load_known = is_known;
+            if (is_known) pair.load_N = real(100 * (kHeight - i));
+            chooser.add_contact(pair);
+        }
+        return chooser.choose(1, 64);
+    };
+    EXPECT_EQ(of_tower(false).needed, of_tower(true).needed);
+    EXPECT_EQ(of_tower(false).reason, SubstepReason::Load);
+}
+
+/// A beam on two posts, with a block on it: half of both on each post.
+TEST(SubstepChoice, SupportsShareALoad) {
+    enum : int { Left, Right, Beam, Block, Count };
+    const auto posts_carry = [](Real each_N, bool is_known) {
+        SubstepChooser chooser;
+        chooser.begin(Count, kStep_s);
+        for (int body : {Left, Right}) chooser.add_weight(body, 1000);
+        chooser.add_weight(Beam, 2000);
+        chooser.add_weight(Block, 4000);
+        for (int post : {Left, Right}) {
+            SubstepChooser::Pair foot = pressed(post, -1, each_N);
+            foot.is_load_known = is_known;
+            chooser.add_contact(foot);
+            chooser.add_contact(pressed(Beam, post, 1));
+        }
+        chooser.add_contact(pressed(Block, Beam, 1));
+        return chooser.choose(1, 64).needed;
+    };
+    EXPECT_EQ(posts_carry(1000, false), posts_carry(4000, true));
+}
+
+TEST(SubstepChoice, LoadsOnPlatesMayAskForFourTimesTheMost) {
+    const auto for_plate = [](Real load_N, int most) {
+        SubstepChooser chooser;
+        chooser.begin(1, kStep_s);
+        SubstepChooser::Pair pair = pressed(0, -1, load_N);
+        pair.has_plate = true;
+        chooser.add_contact(pair);
+        return chooser.choose(2, most).substeps;
+    };
+    EXPECT_EQ(for_plate(1, 16), 2);
+    EXPECT_EQ(for_plate(1e9_r, 16), 64);
+    EXPECT_EQ(for_plate(1e9_r, 4), 16);
+    EXPECT_EQ(for_load(1e9, 1, 2, 16).substeps, 16);
 }
 
 TEST(SubstepChoice, JointsAskByTheirSpinAndTheirError) {
@@ -135,12 +194,12 @@ TEST(SubstepChoice, JointsAskByTheirSpinAndTheirError) {
 
 TEST(SubstepChoice, AtLeastFourWhereContactsPressOnJointedBodies) {
     for (const bool jointed : {false, true}) {
-        for (const bool pressed : {false, true}) {
+        for (const bool touching : {false, true}) {
             SubstepChooser chooser;
             chooser.begin(2, kStep_s);
             if (jointed) chooser.add_joint(0, 0);
-            if (pressed) chooser.add_contact(0, -1, 1e-3_r, 1, 1);
-            EXPECT_EQ(chooser.choose(1, 64).substeps, jointed && pressed ? 4 : 1);
+            if (touching) chooser.add_contact(pressed(0, -1, 1e-3_r));
+            EXPECT_EQ(chooser.choose(1, 64).substeps, jointed && touching ? 4 : 1);
         }
     }
 }
@@ -148,7 +207,7 @@ TEST(SubstepChoice, AtLeastFourWhereContactsPressOnJointedBodies) {
 TEST(SubstepChoice, BeginForgetsTheIslandBefore) {
     SubstepChooser chooser;
     chooser.begin(1, kStep_s);
-    chooser.add_contact(0, -1, 1e6_r, 1, 1);
+    chooser.add_contact(pressed(0, -1, 1e6_r));
     chooser.add_joint(100, 1);
     EXPECT_GT(chooser.choose(1, 64).substeps, 1);
     chooser.begin(1, kStep_s);

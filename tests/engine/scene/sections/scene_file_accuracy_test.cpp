@@ -72,6 +72,21 @@ TEST_F(SceneFileTest, NumbersOfTheFileGoBeforeThePresets) {
     EXPECT_TRUE(outcome.faults.empty());
 }
 
+TEST_F(SceneFileTest, PresetsKeepTheirShortestSubstepAtLowerRates) {
+    const auto most_at = [this](const char* preset, int step_hz) {
+        const Outcome outcome = load(fmt::format("[accuracy]\npreset = \"{}\"\n", preset));
+        return world_def(*outcome.scene, {.step_hz = step_hz}).substeps_max;
+    };
+    EXPECT_EQ(most_at("balanced", 60), 16);
+    EXPECT_EQ(most_at("balanced", 30), 32);
+    EXPECT_EQ(most_at("balanced", 50), 20);
+    EXPECT_EQ(most_at("balanced", 240), 16);
+    EXPECT_EQ(most_at("precise", 60), 64);
+    EXPECT_EQ(most_at("precise", 30), 64) << "no more than an island may have";
+    const Outcome own = load("[accuracy]\nsubsteps = 2\nsubsteps_max = 8\n");
+    EXPECT_EQ(world_def(*own.scene, {.step_hz = 30}).substeps_max, 8);
+}
+
 TEST_F(SceneFileTest, ThreadsAreANumberOrByTheMachine) {
     const auto threads_of = [this](const char* text, std::optional<int> over = {}) {
         const Outcome outcome = load(fmt::format("[accuracy]\n{}\n", text));

@@ -76,6 +76,20 @@ TEST(PointChoice, DoesNotChangeWithTheLoadOfABodyAtRest) {
     }
 }
 
+/// A coin far down a stack is pressed in by several times what its extent lets pass as level: without the shallow side it would tip.
+TEST(PointChoice, KeepsBothSidesOfWhatIsPressedInDeeply) {
+    std::vector<FlatPoint> points = polygon(8);
+    for (FlatPoint& point : points) point.distance_m = -0.02 - 0.005 * point.place.x;
+    double least = 0;
+    double most = 0;
+    for (const std::size_t kept : chosen(points)) {
+        least = std::min(least, points[kept].place.x);
+        most = std::max(most, points[kept].place.x);
+    }
+    EXPECT_LT(least, -0.9);
+    EXPECT_GT(most, 0.9);
+}
+
 TEST(PointChoice, KeepsTheDeepest) {
     Random random(5);
     for (int i = 0; i < 1000; ++i) {

@@ -54,5 +54,17 @@ TEST(ShapeMass, TetrahedronByItsClosedForm) {
     EXPECT_NEAR(moments.y * moments.z * moments.x, 5.0 * 5.0 * 8.0, 0.01);
 }
 
+TEST(ShapeMass, PlatesAreThinnerThanASixthOfTheirWidth) {
+    const auto is_box_a_plate = [](const Vec3& size_m) {
+        TestWorld test;
+        return is_plate(Vec3d(weigh(test, BoxShape{size_m}, 3).inertia_kgm2));
+    };
+    EXPECT_TRUE(is_box_a_plate({1, 0.16_r, 1}));
+    EXPECT_FALSE(is_box_a_plate({1, 0.17_r, 1}));
+    EXPECT_TRUE(is_box_a_plate({0.01_r, 0.1_r, 5}));
+    EXPECT_FALSE(is_box_a_plate({0.1_r, 0.1_r, 5})) << "a rod";
+    EXPECT_FALSE(is_box_a_plate({1, 1, 1}));
+}
+
 }  // namespace
 }  // namespace plumbline::physics
