@@ -24,7 +24,6 @@ constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many 
 constexpr double kFarFewer = 0.75;
 /// Of fewer: the need changes a little with the number itself.
 constexpr double kSurelyEnough = 0.95;
-constexpr int kMostSubsteps = 64;
 /// Of the step: what meets within it when an impact is solved takes part in that.
 constexpr double kImpactShare = 0.01;
 
@@ -225,7 +224,9 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
         BodyRecord& record = *island.bodies[i];
         record.small.row = static_cast<std::uint32_t>(i);
         const Vec3 gravity = Vec3(step.gravity_mps2) * record.traits.gravity_factor;
-        chooser.add_weight(static_cast<int>(i), glm::length(gravity) / record.motion->inverse_mass);
+        chooser.set_body(static_cast<int>(i),
+                         glm::length(gravity) / record.motion->inverse_mass,
+                         is_plate(record.traits.inertia_kgm2));
     }
     for (auto from = island.manifolds.begin(); from != island.manifolds.end();) {
         const Manifold* manifold = *from;
@@ -243,7 +244,6 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
             const Real inner_radius_m = end->sweep.inner_radius_m;
             if (!pushable(*end)) continue;
             inverse_mass += end->motion->inverse_mass;
-            pair.has_plate |= is_plate(end->traits.inertia_kgm2);
             if (inner_radius_m > 0) pair.size_m = std::min(pair.size_m, 2 * inner_radius_m);
         }
         pair.reduced_mass_kg = 1 / inverse_mass;

@@ -20,7 +20,7 @@ constexpr double kTurn_rad = 0.4;  ///< of jointed bodies in one sub-step
 /// trembling.
 constexpr double kSubstepsOfJoints = 4;
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
-constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64};
+constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, kMostSubsteps};
 
 }  // namespace
 
@@ -35,13 +35,22 @@ void SubstepChooser::begin(std::size_t bodies, double step_s) {
     step_s_ = step_s;
     pairs_.clear();
     carried_N_.assign(bodies, 0);
+    plate_.assign(bodies, 0);
     fastest_spin_radps_ = joint_error_ = 0;
     has_joints_ = false;
     by_fields_ = by_joints_ = 0;
 }
 
-void SubstepChooser::add_weight(int body, Real weight_N) {
-    carried_N_[static_cast<std::size_t>(body)] += weight_N;
+void SubstepChooser::set_body(int body, Real weight_N, bool is_plate) {
+    carried_N_[static_cast<std::size_t>(body)] = weight_N;
+    plate_[static_cast<std::size_t>(body)] = is_plate ? 1 : 0;
+}
+
+bool SubstepChooser::has_plate(const Pair& pair) const {
+    const auto is_plate = [this](int body) {
+        return body >= 0 && plate_[static_cast<std::size_t>(body)] != 0;
+    };
+    return is_plate(pair.a) || is_plate(pair.b);
 }
 
 /// Sag of one sub-step over the body's size.
@@ -158,7 +167,7 @@ SubstepChooser::Sag SubstepChooser::foretell_sag() {
     for (const Pair& pair : pairs_) {
         const double share = sag_share(pair);
         sag.deepest = std::max(sag.deepest, share);
-        if (pair.has_plate) sag.deepest_of_plates = std::max(sag.deepest_of_plates, share);
+        if (has_plate(pair)) sag.deepest_of_plates = std::max(sag.deepest_of_plates, share);
         sag.mean += share;
     }
     sag.mean /= static_cast<double>(pairs_.size());
@@ -193,7 +202,7 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     needed = std::min(needed, static_cast<double>(most));
     ask(std::sqrt(deepest_plate_share / kDeepestShare), SubstepReason::Load);
     const double asked = std::max(needed, static_cast<double>(least));
-    const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), 64.0));
+    const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), double{kMostSubsteps}));
     const int* size = std::lower_bound(kSizes.data(), kSizes.data() + kSizes.size(), wanted);
     return {std::clamp(*size, least, wanted > most ? most_of_plates(most) : most), reason, needed};
 }

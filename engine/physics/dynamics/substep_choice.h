@@ -35,10 +35,12 @@ struct SubstepChoice {
     double needed{0};  ///< before rounding up to a number that is used
 };
 
+inline constexpr int kMostSubsteps = 64;
+
 /// Stacks of plates buckle where contacts give way by a share of their thickness: without joints they get up to so many.
 constexpr int most_of_plates(int most) {
     constexpr int kTimes = 4;
-    return std::min(kTimes * most, 64);
+    return std::min(kTimes * most, kMostSubsteps);
 }
 
 /// Collects what one island shows before its step.
@@ -46,8 +48,8 @@ class SubstepChooser {
 public:
     /// Bodies are numbered from 0; `step_s` is the whole step.
     void begin(std::size_t bodies, double step_s);
-    /// What the body presses down with by itself.
-    void add_weight(int body, Real weight_N);
+    /// What a body presses down with by itself, and whether it is a plate (is_plate()); without, it is none and weighs nothing.
+    void set_body(int body, Real weight_N, bool is_plate);
     /// A negative index is a body that never moves.
     struct Pair {
         int a{-1};
@@ -55,8 +57,7 @@ public:
         Real load_N{0};            ///< that it presses with
         bool is_load_known{true};  ///< else it carries what stands on it, at least
         Real reduced_mass_kg{0};
-        Real size_m{0};         ///< of the smaller body, for what "too far" is
-        bool has_plate{false};  ///< one of them is, by is_plate()
+        Real size_m{0};  ///< of the smaller body, for what "too far" is
     };
     void add_contact(const Pair& pair) { pairs_.push_back(pair); }
     /// A joint: the faster spin of its two bodies and the error the latest step left, as a share of
@@ -80,6 +81,7 @@ private:
     int upper_of(const Pair& pair) const;
     int levels() const;
     double sag_share(const Pair& pair) const;
+    bool has_plate(const Pair& pair) const;
 
     double step_s_{1.0 / 60.0};
     std::size_t bodies_{0};
@@ -89,10 +91,11 @@ private:
     double joint_error_{0};
     int by_fields_{0};
     int by_joints_{0};
-    std::vector<Real> carried_N_;  ///< by each body, itself included
-    std::vector<int> supports_;    ///< of each body: pairs with what lies lower
-    std::vector<int> level_;       ///< of each body, 0: not reached
-    std::vector<int> first_;       ///< neighbours of body i: neighbour_[first_[i]] on
+    std::vector<Real> carried_N_;      ///< by each body, itself included
+    std::vector<std::uint8_t> plate_;  ///< 1: bodies that are plates
+    std::vector<int> supports_;        ///< of each body: pairs with what lies lower
+    std::vector<int> level_;           ///< of each body, 0: not reached
+    std::vector<int> first_;           ///< neighbours of body i: neighbour_[first_[i]] on
     std::vector<int> neighbour_;
     std::vector<int> queue_;
 };

@@ -129,19 +129,13 @@ void ContactSet::warm_start() {
 void ContactSet::warm_start(const ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
-    const Vec3 friction = constraint.tangent[0] * constraint.tangent_Ns[0] +
-                          constraint.tangent[1] * constraint.tangent_Ns[1];
-    const Vec3 impulse = constraint.normal * sum_of(constraint.normal_Ns) + friction;
+    const Wrench impulse(constraint, constraint.normal_Ns, 1);
     const Vec3 turning = constraint.normal * constraint.twist_Nms + constraint.rolling_Nms;
-    const Vec3 torque_a = weighted_sum(constraint.angular_a, constraint.normal_Ns) +
-                          glm::cross(constraint.center_a, friction) + turning;
-    a.velocity_increment_mps += impulse * a.inverse_mass;
-    a.spin_increment_radps += a.inverse_inertia * torque_a;
+    a.velocity_increment_mps += impulse.force_Ns * a.inverse_mass;
+    a.spin_increment_radps += a.inverse_inertia * (impulse.torque_a_Nms + turning);
     if (!b.movable()) return;
-    const Vec3 torque_b = weighted_sum(constraint.angular_b, constraint.normal_Ns) +
-                          glm::cross(constraint.center_b, friction) + turning;
-    b.velocity_increment_mps -= impulse * b.inverse_mass;
-    b.spin_increment_radps -= b.inverse_inertia * torque_b;
+    b.velocity_increment_mps -= impulse.force_Ns * b.inverse_mass;
+    b.spin_increment_radps -= b.inverse_inertia * (impulse.torque_b_Nms + turning);
 }
 
 /// Two spheres: the normal turns with the line between their centres.

@@ -122,7 +122,7 @@ TEST(SubstepChoice, NewContactsCarryWhatStandsOnThem) {
         SubstepChooser chooser;
         chooser.begin(kHeight, kStep_s);
         for (int i = 0; i < kHeight; ++i) {
-            chooser.add_weight(i, 100);
+            chooser.set_body(i, 100, false);
             SubstepChooser::Pair pair = pressed(i, i - 1, 100);
             pair.is_load_known = is_known;
             if (is_known) pair.load_N = real(100 * (kHeight - i));
@@ -140,9 +140,9 @@ TEST(SubstepChoice, SupportsShareALoad) {
     const auto posts_carry = [](Real each_N, bool is_known) {
         SubstepChooser chooser;
         chooser.begin(Count, kStep_s);
-        for (int body : {Left, Right}) chooser.add_weight(body, 1000);
-        chooser.add_weight(Beam, 2000);
-        chooser.add_weight(Block, 4000);
+        for (int body : {Left, Right}) chooser.set_body(body, 1000, false);
+        chooser.set_body(Beam, 2000, false);
+        chooser.set_body(Block, 4000, false);
         for (int post : {Left, Right}) {
             SubstepChooser::Pair foot = pressed(post, -1, each_N);
             foot.is_load_known = is_known;
@@ -159,9 +159,8 @@ TEST(SubstepChoice, LoadsOnPlatesMayAskForFourTimesTheMost) {
     const auto for_plate = [](Real load_N, int most) {
         SubstepChooser chooser;
         chooser.begin(1, kStep_s);
-        SubstepChooser::Pair pair = pressed(0, -1, load_N);
-        pair.has_plate = true;
-        chooser.add_contact(pair);
+        chooser.set_body(0, 0, true);
+        chooser.add_contact(pressed(0, -1, load_N));
         return chooser.choose(2, most).substeps;
     };
     EXPECT_EQ(for_plate(1, 16), 2);
