@@ -79,6 +79,12 @@ struct BodyDef {
     std::uint64_t user{0};  ///< the caller's own mark, handed back in hits and events
 };
 
+/// How a surface moves along itself, beyond its body's motion: at the centre of mass, and about it; world axes.
+struct SurfaceMotion {
+    Vec3 velocity_mps{0, 0, 0};
+    Vec3 spin_radps{0, 0, 0};
+};
+
 /// What the body weighs.
 struct MassProperties {
     Real mass_kg{0};                 ///< 0: immovable

@@ -44,8 +44,12 @@ public:
                const DeformableDef& def);
 
     const PointBody& body() const { return *body_; }
-    /// Before begin_step(): air at a point, for drag.
-    void set_air(std::size_t point, const Vec3d& velocity_mps);
+    /// To be set before begin_step(): PointBody::fluids().
+    std::vector<FluidAtPoint>& fluids() { return body_->fluids(); }
+    /// What it floats in moves: it does not sleep in the coming step.
+    void stir() { is_stirred_ = true; }
+    /// At once, and wakes it.
+    void strike(std::size_t point, const Vec3d& impulse_Ns);
     /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
     void begin_step(PhysicsWorld& world, double step_s);
     bool is_asleep() const { return asleep_; }
@@ -85,6 +89,7 @@ private:
         void serialize(Archive& archive);
     };
 
+    bool is_blown() const;
     void list_near(const PhysicsWorld& world);
     void add_near(const PhysicsWorld& world, BodyId id);
     void wake_touched(PhysicsWorld& world);
@@ -107,7 +112,7 @@ private:
     std::vector<BodyId> seen_;  ///< what was near in the step before
     SurfaceContacts contacts_;
     std::optional<SelfContacts> self_contacts_;  ///< of one that touches itself
-    double blowing_mps_{0};                      ///< the fastest air
+    bool is_stirred_{false};
     double step_s_{0};
     double done_s_{0};           ///< of the step
     std::vector<Vec3d> kept_m_;  ///< its points at the start of the sub-step

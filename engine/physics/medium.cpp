@@ -122,6 +122,11 @@ double friction_of(const PhysicsWorld& world, BodyId id) {
     return static_cast<double>(internals(world).body(id).traits.material.friction);
 }
 
+SurfaceMotion surface_motion(const PhysicsWorld& world, BodyId id) {
+    return internals(world).features.belts ? surface_motion(internals(world).body(id))
+                                           : SurfaceMotion{};
+}
+
 double silhouette_m2(const PhysicsWorld& world, BodyId id, const Vec3d& direction_mass) {
     return silhouette_m2(*internals(world).body(id).traits.geometry, direction_mass);
 }

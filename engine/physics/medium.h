@@ -10,6 +10,12 @@ namespace plumbline::physics {
 
 class PhysicsWorld;
 
+/// Of the mass of displaced water or air: what moves along with a ball (Lamb, Hydrodynamics, 92); taken for all shapes.
+inline constexpr double kAddedShare = 0.5;
+/// Of critical damping: the waves that a bobbing float sends out, which a level surface does not show. Floats at sea have 0.05 to
+/// 0.2 (Newman, Marine Hydrodynamics, 6.19).
+inline constexpr double kRadiated = 0.1;
+
 /// The part of a body below a level plane. Volumes of boxes and hulls by Catto, "Exact Buoyancy for Polyhedra" (Game Programming
 /// Gems 6, 2.5); of a sphere by the cap's formula; of other round shapes by discs along their axis, within 1e-6 of the volume.
 /// Parts that overlap count twice. Areas of round shapes are those of facets, within 3 %.
@@ -55,6 +61,9 @@ std::optional<BallContact> ball_contact(const PhysicsWorld& world,
 
 /// The coefficient of a body's material.
 double friction_of(const PhysicsWorld& world, BodyId id);
+
+/// Of a belt or a turntable, while belts are on (WorldFeatures).
+SurfaceMotion surface_motion(const PhysicsWorld& world, BodyId id);
 
 /// The principal axes of inertia as the body stands, and as seen from its frame.
 Quatd world_from_mass(const PhysicsWorld& world, BodyId id);

@@ -25,6 +25,17 @@ struct SurfacePlace {
 struct SurfaceParts {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<std::uint32_t, 2>> edges;
+    bool encloses{false};  ///< the triangles enclose it, counter-clockwise from outside
+};
+
+/// What flows round a point, for a step: air, and water below its level.
+struct FluidAtPoint {
+    Vec3d air_mps{0, 0, 0};
+    double level_m{-1e30};  ///< of its surface there; far below where there is none
+    Vec3d flow_mps{0, 0, 0};
+    double density_kgpm3{0};
+    double weight_Npm3{0};  ///< of the water
+    double drag{1};         ///< times all that resists motion in it
 };
 
 /// Sums over all points.
@@ -34,6 +45,7 @@ struct PointTotals {
     Vec3d angular_momentum_kgm2ps{0, 0, 0};  ///< about the world's origin
     double kinetic_J{0};
     double elastic_J{0};
+    double water_J{0};  ///< what the water that it displaces has risen by
 };
 
 /// World axes. Forces are explicit (symplectic Euler), in sub-steps that resolve the waves in it: at rest they balance exactly,
@@ -81,12 +93,11 @@ public:
     /// To places where it was, at rest.
     void put_back(std::span<const Vec3d> positions_m);
 
-    /// Air at a point, for what feels it.
     virtual bool feels_air() const { return false; }
-    virtual void set_air(std::size_t, const Vec3d&) {}
+    /// By point, for whoever sets them; empty: still air and no water.
+    std::vector<FluidAtPoint>& fluids() { return fluids_; }
     /// Places that may touch others, `along` of them on the side of each cell, both corners counted as one.
     virtual std::vector<SurfacePlace> places(std::uint32_t along) const = 0;
-    /// For a surface that may touch itself.
     virtual void list_parts(SurfaceParts& parts) const { parts = {}; }
     virtual double longest_side_m() const = 0;  ///< of a cell at rest
     PointTotals totals() const;
@@ -107,6 +118,7 @@ protected:
     virtual void after_move() {}
     virtual void serialize_own(Archive&) {}
     virtual double elastic_J() const = 0;
+    virtual double water_J() const { return 0; }
     /// Of the forces on a point.
     virtual double weight_of(std::size_t) const { return 1; }
 
@@ -115,6 +127,7 @@ protected:
     std::vector<double> masses_kg_;
     std::vector<double> inverse_masses_;
     std::vector<Vec3d> impulses_Ns_;
+    std::vector<FluidAtPoint> fluids_;
     double substep_s_{0};
     double stiffness_share_{1};
 };

@@ -41,9 +41,6 @@ public:
 
     std::uint32_t plan(double seconds, std::uint32_t most) override;
     bool feels_air() const override { return def_.drag > 0; }
-    void set_air(std::size_t point, const Vec3d& velocity_mps) override {
-        air_mps_[point] = velocity_mps;
-    }
     std::vector<SurfacePlace> places(std::uint32_t along) const override;
     void list_parts(SurfaceParts& parts) const override;
     double longest_side_m() const override { return std::max(cell_m_[0], cell_m_[1]); }
@@ -80,7 +77,6 @@ private:
     std::uint32_t rows_;
     std::array<double, 2> cell_m_;
     SheetDef def_;
-    std::vector<Vec3d> air_mps_;
     std::array<ThreadFamily, 2> families_;  ///< along x and along y
     std::array<StripFamily, 2> strips_;
     double bend_share_{1};  ///< as stiffness_share(), which is of stretch and shear

@@ -40,6 +40,7 @@ public:
     const SoftGrid& grid() const { return def_.grid; }
     std::uint32_t plan(double seconds, std::uint32_t most) override;
     std::vector<SurfacePlace> places(std::uint32_t along) const override;
+    void list_parts(SurfaceParts& parts) const override;
     double longest_side_m() const override { return longest_side_m_; }
     double volume_m3() const { return volume_of(positions_m_); }
     double rest_volume_m3() const { return volume_of(def_.grid.points_m); }
@@ -78,8 +79,15 @@ private:
     Strain strain_of(std::size_t cell, const std::vector<Vec3d>& of) const;
     double volume_of(const std::vector<Vec3d>& points_m) const;
     void add_forces() override;
+    template <class F>
+    void for_half_triangles(const std::vector<Vec3d>& points_m, const F& visit) const;
+    std::array<double, 3> depths_m(const std::array<std::uint32_t, 3>& points) const;
+    void add_water();
+    void resist(double waterline_m2);
+    double weight_of(std::size_t point) const override;
     void serialize_own(Archive& archive) override;
     double elastic_J() const override;
+    double water_J() const override;
 
     SoftBodyDef def_;
     double shear_Pa_;      ///< Lame's mu
@@ -88,7 +96,8 @@ private:
     double longest_side_m_{0};
     double shortest_m2_{1e30};  ///< 1 / sum of 1 / side2, of the smallest cell
     std::vector<Cell> cells_;
-    std::uint32_t substep_{0};  ///< counts
+    std::vector<double> drag_kgps_;  ///< by point, in the sub-step at hand
+    std::uint32_t substep_{0};       ///< counts
 };
 
 }  // namespace plumbline::physics

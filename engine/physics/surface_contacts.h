@@ -21,6 +21,7 @@ struct NearBody {
     Quatd world_from_mass{1, 0, 0, 0};
     Vec3d velocity_mps{0, 0, 0};  ///< of the centre of mass
     Vec3d spin_radps{0, 0, 0};
+    SurfaceMotion belt{};
     bool falls{false};  ///< by gravity
     double inverse_mass{0};
     Vec3d inverse_inertia{0, 0, 0};  ///< principal
@@ -36,6 +37,11 @@ struct NearBody {
     /// `arm_m`: from its centre of mass.
     void push(const Vec3d& impulse_Ns, const Vec3d& arm_m);
     void move(double h);
+    /// Whether what lies on it is carried along.
+    bool carries() const {
+        return velocity_mps != Vec3d{0, 0, 0} || spin_radps != Vec3d{0, 0, 0} ||
+               belt.velocity_mps != Vec3{0, 0, 0} || belt.spin_radps != Vec3{0, 0, 0};
+    }
 };
 
 /// How fast what is so far apart must part at least, so that nothing sinks in within `h`; below 0: it may approach. What has sunk

@@ -19,7 +19,8 @@ constexpr double kSmoothing = 1.0 / 30.0;
 
 /// What displaced water has risen by, and waves.
 double water_J(const Simulation& simulation) {
-    double sum = simulation.force_fields.energy_J("buoyancy");
+    double sum =
+        simulation.force_fields.energy_J("buoyancy") + simulation.force_fields.energy_J("soft");
     for (const SceneWater& water : simulation.waters)
         sum += water.waves ? water.waves->energy_J() + water.waves->raised_J() : 0;
     return sum;

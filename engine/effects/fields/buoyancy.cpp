@@ -22,9 +22,6 @@ constexpr double kReckoned = 1e-3;
 constexpr double kFelt = 0.5;
 /// A float at rest wakes when the surface has risen or fallen by so much.
 constexpr double kWakingRise_m = 1e-3;
-/// Of critical damping: the waves that a bobbing float sends out, which a level surface does not show. Floats at sea have 0.05 to
-/// 0.2 (Newman, Marine Hydrodynamics, 6.19).
-constexpr double kRadiated = 0.1;
 
 /// Of bodies; a damaged save names none beyond.
 constexpr std::uint32_t kMostIndex = 1U << 24U;
@@ -172,8 +169,8 @@ private:
                 below_of(
                     own, body, center, physics::world_from_mass(simulation_.physics, body), kUp)
                     .volume_m3;
-            added_kg =
-                static_cast<double>(water_of(own).drag) * kAddedShare * density_of(own) * volume_m3;
+            added_kg = static_cast<double>(water_of(own).drag) * physics::kAddedShare *
+                       density_of(own) * volume_m3;
         }
         if (own.followed && own.water == before.water) {
             raise_level(own, volume_m3 - before.volume_m3);
@@ -250,7 +247,7 @@ private:
         body.impulse_Ns -= against * (lost * body.mass_kg);
         const double weight = weight_Npm3(own) * below.waterline_m2;
         const bool radiates = waves_of(own) == nullptr;  // waves take it with them
-        const double ringing = radiates ? 2 * kRadiated * std::min(drag, 1.0) : 0;
+        const double ringing = radiates ? 2 * physics::kRadiated * std::min(drag, 1.0) : 0;
         const double bobbing = ringing * std::sqrt(weight / body.mass_kg);
         body.impulse_Ns.y += portable_expm1(-bobbing * h) * against.y * body.mass_kg;
         const double rolling_Nm = weight * below.waterline_m2 / 12;  // a square's

@@ -44,7 +44,7 @@ public:
     int substeps() const override { return field_substeps(fidelity_); }
     double added_mass_kg(physics::BodyId body) const override {
         const auto* entry = receivers_.find(body);
-        return entry != nullptr ? kAddedShare * entry->own.displaced_kg : 0;
+        return entry != nullptr ? physics::kAddedShare * entry->own.displaced_kg : 0;
     }
     /// What is lighter than air falls upwards.
     double energy_J() const override {

@@ -16,9 +16,6 @@
 
 namespace plumbline::effects {
 
-/// Of the mass of the displaced water or air: what moves along with a ball (Lamb, Hydrodynamics, 92); taken for all shapes.
-inline constexpr double kAddedShare = 0.5;
-
 /// The bodies that a field acts on, each with what the field keeps of it. Found by id without a search.
 template <class T>
 class Receivers {

@@ -2,6 +2,7 @@
 
 #include "engine/effects/fields/air.h"
 #include "engine/effects/fields/field_effect.h"
+#include "engine/scene/environment/wave_field.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,32 @@ namespace {
 /// Of the stiffness asked for; less is said.
 constexpr double kStiffEnough = 0.95;
 
+/// Null: in none.
+const scene::SceneWater* water_at(const scene::Simulation& simulation, const Vec3d& place) {
+    for (const scene::SceneWater& water : simulation.waters) {
+        const bool is_within = place.x >= water.min_m.x && place.x <= water.max_m.x &&
+                               place.z >= water.min_m.z && place.z <= water.max_m.z &&
+                               place.y >= water.min_m.y;
+        if (is_within && (!water.basin || water.basin->holds(place.x, place.z))) return &water;
+    }
+    return nullptr;
+}
+
+/// Sets what is known of a point's water.
+void describe_water(const scene::Simulation& simulation,
+                    const scene::SceneWater& water,
+                    const Vec3d& place,
+                    physics::FluidAtPoint& fluid) {
+    const auto number = static_cast<std::size_t>(&water - simulation.waters.data());
+    const scene::WaterDescription& said = simulation.description().forces.waters[number];
+    const auto gravity_mps2 = -static_cast<double>(simulation.physics.def().gravity_mps2.y);
+    fluid.level_m = water.max_m.y + (water.waves ? water.waves->height_m(place.x, place.z) : 0);
+    fluid.flow_mps = Vec3d(said.flow_mps);
+    fluid.density_kgpm3 = static_cast<double>(said.density_kgpm3);
+    fluid.weight_Npm3 = fluid.density_kgpm3 * std::max(gravity_mps2, 0.0);
+    fluid.drag = static_cast<double>(said.drag);
+}
+
 }  // namespace
 
 using physics::BodyId;
@@ -23,6 +50,7 @@ DeformableEffect::DeformableEffect(scene::Simulation& simulation,
                                    scene::Fidelity fidelity)
     : simulation_(simulation), name_(name), all_(all), fidelity_(fidelity) {
     simulation.force_fields.add(name_, *this);
+    set_fluids();
 }
 
 DeformableEffect::~DeformableEffect() {
@@ -32,21 +60,47 @@ DeformableEffect::~DeformableEffect() {
     }
 }
 
-void DeformableEffect::set_air() {
+void DeformableEffect::set_fluids() {
     const Air air(simulation_);
-    if (!air.blows() && !blew_) return;
-    blew_ = air.blows();
-    const double time_s = simulation_.time_s();
+    const bool has_water =
+        !simulation_.waters.empty() && simulation_.switches.is_on("buoyancy", true);
+    const bool is_stirred = std::ranges::any_of(simulation_.waters, [](const scene::SceneWater& w) {
+        return w.waves && !w.waves->is_asleep();
+    });
     for (scene::SceneDeformable& each : all_) {
-        if (!each.body->body().feels_air()) continue;
-        const auto points_m = each.body->body().positions_m();
-        for (std::size_t i = 0; i < points_m.size(); ++i)
-            each.body->set_air(i, air.at(points_m[i], time_s));
+        const bool blows = air.blows() && each.body->body().feels_air();
+        if (each.body->is_asleep() && !blows && !is_stirred) continue;
+        set_fluids(*each.body, blows ? &air : nullptr, has_water);
+        if (is_stirred && !each.body->fluids().empty()) each.body->stir();
     }
 }
 
+/// `air`: null where it stands still.
+void DeformableEffect::set_fluids(physics::Deformable& body, const Air* air, bool has_water) {
+    const auto points_m = body.body().positions_m();
+    std::vector<physics::FluidAtPoint>& fluids = body.fluids();
+    fluids.clear();
+    if (air != nullptr) {
+        fluids.resize(points_m.size());
+        for (std::size_t i = 0; i < points_m.size(); ++i)
+            fluids[i].air_mps = air->at(points_m[i], simulation_.time_s());
+    }
+    for (std::size_t i = 0; has_water && i < points_m.size(); ++i) {
+        const scene::SceneWater* water = water_at(simulation_, points_m[i]);
+        if (water == nullptr) continue;
+        fluids.resize(points_m.size());
+        describe_water(simulation_, *water, points_m[i], fluids[i]);
+    }
+}
+
+double DeformableEffect::energy_J() const {
+    double sum = 0;
+    for (const scene::SceneDeformable& each : all_) sum += each.body->body().totals().water_J;
+    return sum;
+}
+
 void DeformableEffect::before_step(scene::Simulation& simulation) {
-    set_air();
+    set_fluids();
     pushed_.clear();
     for (scene::SceneDeformable& each : all_) {
         if (!each.body->is_asleep())

@@ -12,6 +12,8 @@
 
 namespace plumbline::effects {
 
+class Air;
+
 /// While it does not live, they stay as they are.
 class DeformableEffect : public Effect, public physics::ForceField {
 public:
@@ -37,6 +39,8 @@ public:
     int substeps() const override;
     double added_mass_kg(physics::BodyId body) const override;
     bool carries() const override { return true; }
+    /// Of the water that they displace.
+    double energy_J() const override;
 
 private:
     struct Drawn {
@@ -44,7 +48,8 @@ private:
         Real blend{0};
         bool rests{false};
     };
-    void set_air();
+    void set_fluids();
+    void set_fluids(physics::Deformable& body, const Air* air, bool has_water);
     void warn_of_softness();
     void draw(const scene::SceneDeformable& each, double blend);
 
@@ -55,7 +60,6 @@ private:
     std::vector<physics::BodyId> pushed_;  ///< bodies that they push in this step, by id
     std::vector<Drawn> drawn_;             ///< by body
     std::vector<bool> said_;               ///< by body: that it is softer than asked
-    bool blew_{false};
     LapTimer lap_;
 };
 

@@ -33,6 +33,18 @@ struct Target {
     double angle_sr() const { return kSphere_sr / 2 * (1 - cosine); }
 };
 
+/// The solid angle of a triangle, below 0 where it is seen counter-clockwise: van Oosterom and Strackee, The solid angle of a plane
+/// triangle (1983).
+double seen_sr(const std::array<Vec3d, 3>& arms) {
+    const auto [a, b, c] = arms;
+    const double la = glm::length(a);
+    const double lb = glm::length(b);
+    const double lc = glm::length(c);
+    return 2 * portable_atan2(
+                   glm::dot(a, glm::cross(b, c)),
+                   la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb + glm::dot(b, c) * la);
+}
+
 /// The impulse of one ray.
 struct Strike {
     Vec3 impulse_Ns{0, 0, 0};
@@ -72,10 +84,48 @@ private:
             simulation.physics.apply_impulse(body, strike.impulse_Ns, strike.point_world);
             simulation.blows.push_back({body, strike.impulse_Ns, strike.point_world});
         }
+        strike_all(simulation, charge, simulation.cloths());
+        strike_all(simulation, charge, simulation.softs());
         simulation.bursts.push_back({.kind = scene::Burst::Kind::Explosion,
                                      .point_world = charge.position_m,
                                      .strength = static_cast<double>(charge.impulse_Ns)});
         work_.calls += targets.size();
+    }
+
+    /// A ray to the middle of each triangle of a surface, with what its solid angle gets. What is closed is struck from outside.
+    static void strike_all(const scene::Simulation& simulation,
+                           const scene::ExplosionDescription& charge,
+                           std::span<scene::SceneDeformable> all) {
+        for (const scene::SceneDeformable& each : all) {
+            physics::SurfaceParts parts;
+            each.body->body().list_parts(parts);
+            for (const auto& triangle : parts.triangles)
+                strike_triangle(simulation, charge, triangle, parts.encloses, *each.body);
+        }
+    }
+
+    static void strike_triangle(const scene::Simulation& simulation,
+                                const scene::ExplosionDescription& charge,
+                                const std::array<std::uint32_t, 3>& triangle,
+                                bool from_outside,
+                                physics::Deformable& body) {
+        const auto points_m = body.body().positions_m();
+        const Vec3d from(charge.position_m);
+        const std::array arms{points_m[triangle[0]] - from,
+                              points_m[triangle[1]] - from,
+                              points_m[triangle[2]] - from};
+        const double angle_sr = seen_sr(arms);
+        const Vec3d middle = (arms[0] + arms[1] + arms[2]) / 3.0;
+        const double away_m = glm::length(middle);
+        if (!(away_m > kPoint_m) || away_m > static_cast<double>(charge.reach_m) ||
+            (from_outside && angle_sr > 0))
+            return;
+        const Vec3 end = charge.position_m + Vec3(middle * (1 - kPoint_m / away_m));
+        if (physics::cast_ray(simulation.physics, charge.position_m, end)) return;
+        const Vec3d impulse_Ns =
+            middle / away_m *
+            (static_cast<double>(charge.impulse_Ns) * std::abs(angle_sr) / kSphere_sr);
+        for (const std::uint32_t point : triangle) body.strike(point, impulse_Ns / 3.0);
     }
 
     static std::vector<Target> targets_of(const scene::Simulation& simulation,

@@ -72,9 +72,10 @@ Deformable::Deformable(const PhysicsWorld& world,
     }
 }
 
-void Deformable::set_air(std::size_t point, const Vec3d& velocity_mps) {
-    body_->set_air(point, velocity_mps);
-    blowing_mps_ = std::max(blowing_mps_, glm::length(velocity_mps));
+void Deformable::strike(std::size_t point, const Vec3d& impulse_Ns) {
+    body_->change_velocity(point, impulse_Ns * body_->inverse_mass(point));
+    asleep_ = false;
+    calm_s_ = 0;
 }
 
 void Deformable::begin_step(PhysicsWorld& world, double step_s) {
@@ -83,17 +84,23 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     done_s_ = 0;
     substeps_ = 0;
     list_near(world);
-    bool disturbed = !movable_.empty() || (blowing_mps_ > kStill_mps && body_->feels_air());
-    blowing_mps_ = 0;
+    bool disturbed = !movable_.empty() || is_stirred_ || is_blown();
+    is_stirred_ = false;
     std::vector<BodyId> seen;
     for (const NearBody& near : near_) {
         seen.push_back(near.id);
-        const bool is_led = squared(near.velocity_mps) + squared(near.spin_radps) > 0;
-        disturbed = disturbed || is_led;
+        disturbed = disturbed || near.carries();
     }
     disturbed = disturbed || seen != seen_;
     seen_ = std::move(seen);
     rest(step_s, disturbed);
+}
+
+bool Deformable::is_blown() const {
+    return body_->feels_air() &&
+           std::ranges::any_of(body_->fluids(), [](const FluidAtPoint& fluid) {
+               return squared(fluid.air_mps) > kStill_mps * kStill_mps;
+           });
 }
 
 void Deformable::list_near(const PhysicsWorld& world) {
@@ -141,6 +148,7 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
         near.radius_m = radius_m(world, id);
     }
+    near.belt = surface_motion(world, id);
     near.friction = std::sqrt(def_.friction * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);

@@ -69,7 +69,7 @@ void PointBody::put_back(std::span<const Vec3d> positions_m) {
 }
 
 PointTotals PointBody::totals() const {
-    PointTotals sum{.elastic_J = elastic_J()};
+    PointTotals sum{.elastic_J = elastic_J(), .water_J = water_J()};
     for (std::size_t i = 0; i < masses_kg_.size(); ++i) {
         const Vec3d momentum_kgmps = velocities_mps_[i] * masses_kg_[i];
         sum.moment_kgm += positions_m_[i] * masses_kg_[i];

@@ -35,7 +35,6 @@ Sheet::Sheet(const SheetDef& def)
                       def.density_kgpm2 * cell_m_[0] * cell_m_[1] * share);
         }
     }
-    air_mps_.assign(positions_m_.size(), Vec3d{0, 0, 0});
     add_threads();
 }
 
@@ -275,9 +274,18 @@ void Sheet::damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm
     }
 }
 
+/// Of air, or of water where the point is under.
 void Sheet::add_drag() {
     const double h = substep_s_;
-    const double half_rho = 0.5 * def_.air_density_kgpm3 * def_.drag;
+    const auto is_wet = [this](std::size_t i) { return positions_m_[i].y < fluids_[i].level_m; };
+    const auto flow_mps = [&](std::size_t i) {
+        if (fluids_.empty()) return Vec3d{0, 0, 0};
+        return is_wet(i) ? fluids_[i].flow_mps : fluids_[i].air_mps;
+    };
+    const auto density_kgpm3 = [&](std::size_t i) {
+        if (fluids_.empty() || !is_wet(i)) return def_.air_density_kgpm3;
+        return fluids_[i].density_kgpm3 * fluids_[i].drag;
+    };
     const double third_kg = def_.density_kgpm2 * cell_m_[0] * cell_m_[1] / 6;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
         const Vec3d across =
@@ -286,12 +294,12 @@ void Sheet::add_drag() {
         if (!(twice_m2 > 0)) return;
         const Vec3d normal = across / twice_m2;
         const auto mean_of = [&](const auto& of) { return (of(a) + of(b) + of(c)) / 3.0; };
-        const Vec3d now =
-            mean_of([this](std::size_t i) { return velocities_mps_[i] - air_mps_[i]; });
+        const Vec3d now = mean_of([&](std::size_t i) { return velocities_mps_[i] - flow_mps(i); });
         // With all else that acts in the sub-step, so that what is steady is exact.
         const Vec3d against =
             now + mean_of([this](std::size_t i) { return impulses_Ns_[i] * inverse_masses_[i]; });
         // A third of it for each point, solved over the sub-step.
+        const double half_rho = 0.5 * mean_of(density_kgpm3) * def_.drag;
         const double k_kgps = half_rho * twice_m2 / 6 * glm::length(now);
         const Vec3d push =
             normal * (glm::dot(against, normal) * k_kgps * h / (1 + k_kgps * h / third_kg));

@@ -13,9 +13,9 @@ namespace {
 constexpr double kMostSoft_rad2 = 2;
 /// Of that, what damping may take where not all of it can be had.
 constexpr double kMostDamping_rad2 = 0.6;
-/// Damping that lets what rings fall silent, in sub-steps; counted every few of them.
+/// Damping that lets what rings fall silent, in sub-steps; counted every fifth: the fastest mode may turn once in four, and would hide.
 constexpr double kSoftFriction = 0.02;
-constexpr std::uint32_t kRubsEvery = 4;
+constexpr std::uint32_t kRubsEvery = 5;
 
 double sign_of(std::uint32_t point, std::size_t axis) {
     return (point >> axis & 1U) != 0 ? 1.0 : -1.0;
@@ -187,6 +187,7 @@ void SoftBody::add_forces() {
             impulses_Ns_[points[i]] -= force * h;
         }
     }
+    if (!fluids_.empty()) add_water();
 }
 
 /// The first Piola-Kirchhoff stress, times the volume, and what the modes add.
@@ -263,47 +264,6 @@ double SoftBody::elastic_J() const {
         }
     }
     return sum * stiffness_share_;
-}
-
-/// By the flux of x / 3 through its faces, bilinear patches: the mean of their two ways to be cut in two.
-double SoftBody::volume_of(const std::vector<Vec3d>& points_m) const {
-    double six = 0;
-    const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-        six += glm::dot(a, glm::cross(b, c)) / 2;
-    };
-    for (const SoftGrid::Face& face : def_.grid.faces) {
-        const Vec3d& a = points_m[face.points[0]];
-        const Vec3d& b = points_m[face.points[1]];
-        const Vec3d& c = points_m[face.points[2]];
-        const Vec3d& d = points_m[face.points[3]];
-        add(a, b, c);
-        add(a, c, d);
-        add(a, b, d);
-        add(b, c, d);
-    }
-    return six / 6;
-}
-
-std::vector<SurfacePlace> SoftBody::places(std::uint32_t along) const {
-    std::vector<SurfacePlace> places;
-    std::vector<bool> has(positions_m_.size(), false);
-    for (const SoftGrid::Face& face : def_.grid.faces) {
-        for (const std::uint32_t point : face.points) {
-            if (!has[point])
-                places.push_back({.points = {point, point, point, point}, .weights = {1, 0, 0, 0}});
-            has[point] = true;
-        }
-        for (std::uint32_t i = 0; i < (along + 1) * (along + 1); ++i) {
-            const std::uint32_t row = i / (along + 1);
-            const double x = static_cast<double>(i % (along + 1)) / along;
-            const double y = static_cast<double>(row) / along;
-            const bool is_corner = (x == 0 || x == 1) && (y == 0 || y == 1);
-            if (is_corner) continue;
-            places.push_back({.points = face.points,
-                              .weights = {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y}});
-        }
-    }
-    return places;
 }
 
 }  // namespace plumbline::physics

@@ -135,7 +135,10 @@ void SurfaceContacts::solve_one(Contact& contact, PointBody& body, NearBody& nea
     const double pressed = std::max(contact.pressed_Ns + (wanted - opening) / normal_weight, 0.0);
     Vec3d impulse = contact.normal * (pressed - contact.pressed_Ns);
     contact.pressed_Ns = pressed;
-    const Vec3d sliding = relative - contact.normal * opening;
+    const Vec3d carried =
+        Vec3d(near.belt.velocity_mps) + glm::cross(Vec3d(near.belt.spin_radps), contact.arm_m);
+    const Vec3d slip = relative - carried;
+    const Vec3d sliding = slip - contact.normal * glm::dot(contact.normal, slip);
     const double speed = glm::length(sliding);
     if (speed > 0) {
         Vec3d rubbed = contact.rubbed_Ns - sliding / along(sliding / speed);

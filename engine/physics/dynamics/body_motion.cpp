@@ -40,6 +40,17 @@ Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm) {
     return gain;
 }
 
+SurfaceMotion surface_motion(const BodyRecord& record) {
+    const BodyTraits& traits = record.traits;
+    if (!traits.is_belt()) return {};
+    // Body axes: the mass frame's, turned back.
+    const Quat world_from_body = glm::normalize(quat_of(record.motion->at.rotation) *
+                                                glm::conjugate(traits.body_from_mass.orientation));
+    const Vec3 spin = world_from_body * traits.surface_spin_radps;
+    const Vec3 arm = world_from_body * traits.body_from_mass.position;
+    return {world_from_body * traits.surface_velocity_mps + glm::cross(spin, arm), spin};
+}
+
 Vec3 limited(const Vec3& v, Real limit) {
     // Divides by the largest part first: the square of 1e30 is infinite.
     const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

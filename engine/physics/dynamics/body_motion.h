@@ -36,6 +36,9 @@ struct BodyMotion {
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
 };
 
+/// None of what is no belt.
+SurfaceMotion surface_motion(const BodyRecord& record);
+
 /// Along the world's axes.
 SymmetricMat3 inverse_inertia_of(const BodyMotion& motion);
 /// Change of spin per second, or by an angular impulse.

@@ -79,15 +79,8 @@ Real pressed_N(const Manifold& manifold) {
 
 /// The number of the belt that a body is (ContactConstraint::belt).
 std::uint32_t belt_of(const BodyRecord& record, ContactSet& contacts) {
-    const BodyTraits& traits = record.traits;
-    if (!traits.is_belt()) return 0;
-    // Body axes: the mass frame's, turned back.
-    const Quat world_from_body = glm::normalize(quat_of(record.motion->at.rotation) *
-                                                glm::conjugate(traits.body_from_mass.orientation));
-    const Vec3 spin = world_from_body * traits.surface_spin_radps;
-    const Vec3 arm = world_from_body * traits.body_from_mass.position;
-    contacts.belts.push_back(
-        {world_from_body * traits.surface_velocity_mps + glm::cross(spin, arm), spin});
+    if (!record.traits.is_belt()) return 0;
+    contacts.belts.push_back(surface_motion(record));
     return static_cast<std::uint32_t>(contacts.belts.size());
 }
 

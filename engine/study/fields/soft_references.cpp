@@ -113,6 +113,25 @@ FieldOutcome soft_keeps_volume(scene::Fidelity fidelity) {
     return {std::abs(body.volume_m3() / body.rest_volume_m3() - 1), world.cpu_ms_per_s()};
 }
 
+/// A stiff block of 1 x 0.4 x 1 m in fresh water.
+FieldOutcome soft_floats(scene::Fidelity fidelity) {
+    scene::SoftDescription soft;
+    soft.name = "block";
+    soft.size_m = {1, 0.4, 1};
+    soft.cell_m = 0.2;
+    soft.young_Pa = 1e7;
+    soft.density_kgpm3 = 300;
+    soft.pose.position = {0, 0.1_r, 0};
+    scene::SceneDescription scene =
+        soft_scene(fidelity, soft, {0, static_cast<Real>(-kFieldGravity_mps2), 0});
+    scene.forces.waters.push_back({.name = "pond", .min_m = {-5, -9, -5}, .max_m = {5, 0, 5}});
+    FieldWorld world(scene);
+    world.run_to(30);
+    const physics::SoftBody& body = soft_of(world);
+    const double height_m = body.totals().moment_kgm.y / body.mass_kg();
+    return {std::abs((0.2 - height_m) / (0.3 * 0.4) - 1), world.cpu_ms_per_s()};
+}
+
 constexpr std::array kSoftReferences{
     FieldReference{"soft",
                    "stretch of a bar by its weight",
@@ -131,6 +150,8 @@ constexpr std::array kSoftReferences{
                    "kept",
                    {0.01, 0.01, 0.01},
                    &soft_keeps_volume},
+    FieldReference{
+        "soft", "draft of a block", "height rho_b / rho", {0.01, 0.01, 0.005}, &soft_floats},
 };
 
 }  // namespace

@@ -93,5 +93,18 @@ TEST(Medium, BallsFindTheNearestPlaceOfABody) {
     EXPECT_NEAR(thinnest_half_m(test.world, box), 0.5, 1e-3);
 }
 
+TEST(Medium, SurfacesOfBeltsMoveAlongAndAboutTheCentreOfMass) {
+    TestWorld test;
+    const BodyId belt = test.add(BoxShape{{1, 1, 1}},
+                                 {0, 2, 0},
+                                 {.kind = BodyKind::Static,
+                                  .surface_velocity_mps = {1, 0, 0},
+                                  .surface_spin_radps = {0, 3, 0}});
+    EXPECT_EQ(surface_motion(test.world, belt).velocity_mps, (Vec3{1, 0, 0}));
+    EXPECT_EQ(surface_motion(test.world, belt).spin_radps, (Vec3{0, 3, 0}));
+    test.world.set_features({.belts = false});
+    EXPECT_EQ(surface_motion(test.world, belt).spin_radps, (Vec3{0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace plumbline::physics

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/core/threads/team.h"
+#include "engine/physics/body.h"
 #include "engine/physics/dynamics/contact/contact_constraint.h"
 #include "engine/physics/dynamics/contact/sweep_order.h"
 #include "engine/physics/dynamics/joint/softness.h"
@@ -34,14 +35,8 @@ struct FrictionChange {
 
 class ContactSet {
 public:
-    /// How a surface moves along itself: at its body's centre of mass, and about it; world axes.
-    struct Belt {
-        Vec3 velocity_mps{0, 0, 0};
-        Vec3 spin_radps{0, 0, 0};
-    };
-
     std::vector<ContactConstraint> constraints;
-    std::vector<Belt> belts;
+    std::vector<SurfaceMotion> belts;
 
     /// Of b's surface against b where a has gone to since the step's start. `arm`: from b's centre of mass, at the start.
     Vec3 belt_velocity_at(const ContactConstraint& constraint, const Vec3& arm) const {
@@ -50,7 +45,7 @@ public:
         const SolverBody& b = bodies_[constraint.b];
         const Vec3 moved = a.delta_position_m - b.delta_position_m +
                            (a.velocity_mps - b.velocity_mps) * belt_ahead_s_;
-        const Belt& belt = belts[constraint.belt - 1];
+        const SurfaceMotion& belt = belts[constraint.belt - 1];
         return belt.velocity_mps + glm::cross(belt.spin_radps, arm + moved);
     }
 

@@ -130,5 +130,77 @@ TEST(DeformableEffect, IsDrawnBetweenSteps) {
     EXPECT_NEAR(glm::distance(between, (before + after) / 2.0), 0, 1e-3);
 }
 
+/// A soft block, 0.4 m high, over a pond; and a pond may be called off.
+SceneDescription floating(double density_kgpm3) {
+    SceneDescription scene = test::scene_of({});
+    scene::SoftDescription soft;
+    soft.name = "block";
+    soft.size_m = {0.8, 0.4, 0.8};
+    soft.cell_m = 0.2;
+    soft.young_Pa = 1e6;
+    soft.density_kgpm3 = density_kgpm3;
+    soft.pose.position = {0, 0.1_r, 0};
+    scene.forces.softs = {soft};
+    scene.forces.waters.push_back({.name = "pond", .min_m = {-5, -9, -5}, .max_m = {5, 0, 5}});
+    return scene;
+}
+
+double height_m(const test::Running& run) {
+    const physics::PointBody& body = run.simulation->softs().front().body->body();
+    return body.totals().moment_kgm.y / body.mass_kg();
+}
+
+TEST(DeformableEffect, SoftBodiesFloatAtTheirDraftAndSleepThere) {
+    test::Running run(floating(300));
+    EffectRuntime effects(*run, {});
+    run.step(30 * 60, effects);
+    EXPECT_NEAR(height_m(run), 0.2 - 0.3 * 0.4, 2e-3);
+    EXPECT_TRUE(run.simulation->softs().front().body->is_asleep());
+    run->switches.turn("buoyancy", false);
+    run->softs().front().body->strike(0, {0, 0, 0});
+    run.step(60, effects);
+    EXPECT_LT(height_m(run), -1);
+}
+
+// Without resistance it bobs on, and what rings in it dies away.
+TEST(DeformableEffect, SoftBodiesAfloatGainNoEnergy) {
+    SceneDescription scene = floating(500);
+    scene::SoftDescription& soft = scene.forces.softs[0];
+    soft.size_m = {1, 0.5, 1};
+    soft.cell_m = 0.25;
+    soft.young_Pa = 1e7;
+    soft.poisson = 0.3;
+    soft.pose.position = {0, 0.02_r, 0};
+    scene.forces.waters[0].drag = 0;
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    const auto energy_J = [&run] {
+        const physics::PointBody& body = run->softs().front().body->body();
+        const physics::PointTotals totals = body.totals();
+        return totals.kinetic_J + totals.elastic_J + totals.water_J + 9.81 * totals.moment_kgm.y;
+    };
+    const double start_J = energy_J();
+    run.step(20 * 60, effects);
+    EXPECT_NEAR(energy_J(), start_J, 0.05);  // of 2 J of bobbing, the ringing's
+    EXPECT_LT(energy_J(), start_J + 1e-3);
+}
+
+TEST(DeformableEffect, ClothSinksSlowlyWhereAirWouldLetItFall) {
+    SceneDescription scene = floating(300);
+    scene::ClothDescription cloth;
+    cloth.name = "sheet";
+    cloth.cells = {{4, 4}};
+    cloth.drag = 1.2;
+    cloth.pose.position = {0, -1, 3};
+    cloth.pose.orientation = glm::angleAxis(1.5707963_r, Vec3{1, 0, 0});
+    scene.forces.cloths = {cloth};
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(120, effects);
+    // sqrt(2 m g / (rho C A)) m/s
+    const double wanted_mps = std::sqrt(2 * cloth.density_kgpm2 * 9.81 / (1000 * cloth.drag));
+    EXPECT_NEAR(low_end(run).y, -1 - 2 * wanted_mps, 0.02);
+}
+
 }  // namespace
 }  // namespace plumbline::effects

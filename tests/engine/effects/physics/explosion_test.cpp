@@ -62,5 +62,40 @@ TEST(Explosion, InTheMiddleOfABodyPushesItNowhereAndStrikesItAllAround) {
     EXPECT_NEAR(glm::length(run.state("core").velocity_mps), 0, 1e-3);
 }
 
+// A block takes what goes into the solid angle of its side, a cloth likewise from either side; a wall hides the other cloth.
+TEST(Explosion, StrikesClothAndSoftBodies) {
+    SceneDescription scene = test::scene_of(
+        {test::box("wall", {0, 0, -0.5_r}, {1.02_r, 1.02_r, 0.02_r}, physics::BodyKind::Static)});
+    scene.gravity_mps2 = {0, 0, 0};
+    scene::SoftDescription soft;
+    soft.name = "block";
+    soft.size_m = {2, 2, 2};
+    soft.cell_m = 0.25;
+    soft.pose.position = {2, 0, 0};
+    scene.forces.softs = {soft};
+    for (const double z : {1.0, -1.0}) {
+        scene::ClothDescription cloth;
+        cloth.name = z > 0 ? "seen" : "hidden";
+        cloth.cells = {{8, 8}};
+        cloth.size_m = {2, 2};
+        cloth.drag = 0;
+        cloth.pose.position = {0, 0, static_cast<Real>(z)};
+        scene.forces.cloths.push_back(cloth);
+    }
+    scene.forces.explosions.push_back({.at_s = 0, .impulse_Ns = 60, .reach_m = 5});
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(1, effects);
+    // Along the normal of a cube's side about the charge: the integral of (1 + x^2 + y^2)^-2 over [-1, 1]^2, of 4 pi.
+    const double along_Ns = 60 * 0.138532;
+    const auto momentum = [](const scene::SceneDeformable& each) {
+        return each.body->body().totals().momentum_kgmps;
+    };
+    EXPECT_NEAR(momentum(run->softs()[0]).x, along_Ns, 0.02 * along_Ns);
+    EXPECT_NEAR(momentum(run->softs()[0]).y, 0, 0.01);
+    EXPECT_NEAR(momentum(run->cloths()[0]).z, along_Ns, 0.02 * along_Ns);
+    EXPECT_EQ(momentum(run->cloths()[1]).z, 0);
+}
+
 }  // namespace
 }  // namespace plumbline::effects

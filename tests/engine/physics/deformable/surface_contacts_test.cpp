@@ -60,6 +60,22 @@ TEST(SurfaceContacts, LetGoWhatLeavesAndWhatIsFar) {
     EXPECT_EQ(far.near[0].felt_Ns, (Vec3d{0, 0, 0}));
 }
 
+// Friction acts towards the speed of the belt, and of the turntable at each place.
+TEST(SurfaceContacts, BeltsCarryWhatTouchesThem) {
+    SheetOverBox over(0.006);
+    over.near[0].belt = {.velocity_mps = {1, 0, 0}, .spin_radps = {0, 2, 0}};
+    over.near[0].friction = 10;
+    over.throw_all({0, -4, 0});
+    over.find();
+    for (int i = 0; i < 20; ++i) over.contacts.solve(over.sheet, over.near, kContactStep_s);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3d& at = over.sheet.positions_m()[i];
+        const Vec3d& v = over.sheet.velocities_mps()[i];
+        EXPECT_NEAR(v.x, 1 + 2 * at.z, 0.02);
+        EXPECT_NEAR(v.z, -2 * at.x, 0.02);
+    }
+}
+
 TEST(SurfaceContacts, FollowTheMotion) {
     SheetOverBox over(0.006);
     over.throw_all({0, -1, 0});
