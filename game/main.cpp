@@ -3,7 +3,6 @@
 #include "engine/assets/foreign/decoder.h"
 #include "engine/core/process/crash_report.h"
 #include "engine/core/process/interrupt.h"
-#include "engine/core/process/process_memory.h"
 #include "engine/study/study_worker.h"
 #include "game/command_line/command_line.h"
 #include "game/command_line/option_ranges.h"
@@ -243,7 +242,6 @@ std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv
 }
 
 int run_commands(int argc, char** argv) {
-    return_large_blocks_early();
     CLI::App app("Plumbline: a physics playground with measurable accuracy", "plumbline");
     app.require_subcommand(1);
     app.fallthrough();

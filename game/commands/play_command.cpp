@@ -7,6 +7,7 @@
 #include "engine/core/io/output.h"
 #include "engine/core/process/crash_report.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/core/process/process_memory.h"
 #include "engine/effects/saved_game.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
@@ -190,6 +191,7 @@ ExitCode play_on(platform::Window& window,
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
+    return_large_blocks_early();
     tidy_up();
     for (const std::filesystem::path& file : {options.record, options.report}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());

@@ -4,6 +4,7 @@
 #include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/core/process/process_memory.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
@@ -145,6 +146,7 @@ Result<Done> draw_frames(const RenderOptions& options,
 }  // namespace
 
 ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
+    return_large_blocks_early();
     const Result<std::optional<assets::Shading>> shading = parse_shading(options.shading);
     if (!shading) return refuse(shading.error());
     std::optional<scene::CameraPath> path;
@@ -191,6 +193,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
 }
 
 ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
+    return_large_blocks_early();
     const Result<Done> open = make_output_folder(options.out, {kSheet});
     if (!open) return refuse(open.error());
     Result<OffscreenStudio> studio = open_studio(options.scene, options.size, {});

@@ -123,6 +123,15 @@ void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
     }
 }
 
+/// Bullet's own 4.4 MB of contacts, which take longer to make than many a world to simulate, only for what uses them.
+btDefaultCollisionConstructionInfo pools_for(Solver solver) {
+    btDefaultCollisionConstructionInfo info;
+    if (solver != Solver::SmallStep) return info;
+    info.m_defaultMaxPersistentManifoldPoolSize = 1;
+    info.m_defaultMaxCollisionAlgorithmPoolSize = 1;
+    return info;
+}
+
 }  // namespace
 
 BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
@@ -132,7 +141,7 @@ BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     parts.report = &report;
     parts.pair_filter = std::make_unique<PairFilter>();
     parts.pair_filter->rules = def.pair_rules;
-    parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
+    parts.configuration = std::make_unique<btDefaultCollisionConfiguration>(pools_for(def.solver));
     parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
     if (def.solver == Solver::SmallStep) {
         auto pairs = std::make_unique<PairList>(*parts.pair_filter);

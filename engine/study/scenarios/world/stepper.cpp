@@ -24,10 +24,12 @@ void Stepper::run(ScenarioWorld& world, double seconds, const Hooks& hooks) {
     const int steps = static_cast<int>(std::lround(seconds / step_s));
     bodies_ = std::max(bodies_, world.movers.size());
     const bool is_timed = mode_ == Mode::Time;
+    const std::span<physics::ForceField* const> fields(&hooks.field,
+                                                       hooks.field != nullptr ? 1 : 0);
     if (is_timed) meter_.resume();
     for (int i = 0; i < steps; ++i) {
         if (hooks.before) hooks.before(i);
-        world.physics.step();
+        world.physics.step(fields);
         if (is_timed) {
             meter_.stepped(world.physics.report().cost, step_s);
         } else if (hooks.after) {

@@ -1,6 +1,7 @@
 // How the worlds of a scenario are stepped and timed.
 #pragma once
 
+#include "engine/physics/force_field.h"
 #include "engine/study/scenarios/world/scenario_world.h"
 #include "engine/study/stepping_cost.h"
 
@@ -22,6 +23,8 @@ public:
     struct Hooks {
         /// Belongs to the run: forces, what drives kinematic bodies. Before step i, from 0.
         std::function<void(int i)> before{};
+        /// Forces by where bodies are and how they move, asked for in every sub-step.
+        physics::ForceField* field{nullptr};
         /// Measures errors; not called where time is measured, so no later world may depend on it.
         std::function<void(int i)> after{};
         /// Ends the run early. Always asked, so let it be cheap.

@@ -71,7 +71,7 @@ struct Ordered {
 TEST(Scenarios, OrdersAreThoseOfTheory) {
     const Ordered rows[] = {{"A01 along a wall", bullet(60), 1},
                             {"A03", bullet(60), 1},
-                            {"A03", small(60, 1), 1},
+                            {"A04", small(60, 1), 2},
                             {"A09 90 degrees", small(60, 1), 2},
                             {"A10", small(60, 1), 2},
                             {"A11", small(60, 1), 2}};
