@@ -8,6 +8,8 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/rules/goal.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules/hands/grab.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/hands/grab.h"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/hands/pinch.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/hands/pinch.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules/hands/placement.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/hands/placement.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules/player.cpp"

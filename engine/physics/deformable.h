@@ -50,6 +50,14 @@ public:
     void stir() { is_stirred_ = true; }
     /// At once, and wakes it.
     void strike(std::size_t point, const Vec3d& impulse_Ns);
+    /// Takes hold of points in the middle of play, as a hand does; those that pins hold are theirs. In place of what was held before.
+    void grip(std::span<const std::uint32_t> points);
+    bool is_gripped() const { return !grip_.points.empty(); }
+    /// Where what is gripped goes to within the coming step, all of it alike.
+    void lead_grip(const Vec3d& by_m);
+    /// What it pulled the hand by in the latest step.
+    const Vec3d& grip_Ns() const { return grip_.pulled_Ns; }
+    void let_go();
     /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
     void begin_step(PhysicsWorld& world, double step_s);
     bool is_asleep() const { return asleep_; }
@@ -72,6 +80,14 @@ private:
         BodyId to{};
         Vec3d in_mass_m{0, 0, 0};  ///< in the mass frame of what holds it; world
         std::size_t near{0};       ///< its number among the bodies near, in this step
+    };
+    /// What a hand holds.
+    struct Grip {
+        std::vector<std::uint32_t> points;
+        std::vector<Vec3d> places_m;  ///< where it holds them
+        Vec3d pulled_Ns{0, 0, 0};     ///< in the step
+
+        void serialize(Archive& archive);
     };
     /// What pushes made of a body in the sub-step before, if nothing else held it: what stands on something does not move so.
     struct Expected {
@@ -104,6 +120,7 @@ private:
     std::unique_ptr<PointBody> body_;
     DeformableDef def_;  ///< without pins: holders_ has them
     std::vector<Holder> holders_;
+    Grip grip_;
     std::vector<NearBody> near_;
     std::vector<BodyId> movable_;
     std::vector<Expected> expected_;

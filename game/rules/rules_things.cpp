@@ -160,7 +160,7 @@ void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions)
     }
     if (actions.presses(Action::Freeze) % 2 == 1) freeze(simulation);
     if (actions.presses(Action::Remove) > 0) remove_looked_at(simulation);
-    grab_.pull(simulation, aim());
+    if (const auto why = grab_.pull(simulation, aim())) say(*why);
 }
 
 void PlaygroundGame::freeze(scene::Simulation& simulation) {
@@ -191,7 +191,7 @@ void PlaygroundGame::tie(scene::Simulation& simulation, const Actions& actions) 
 
 void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
     ecs::Entity entity = grab_.entity();
-    if (!grab_.holding()) {
+    if (!simulation.registry.alive(entity)) {
         const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
         const bool movable =
             looked && simulation.registry.alive(looked->entity) &&

@@ -78,13 +78,35 @@ void Deformable::strike(std::size_t point, const Vec3d& impulse_Ns) {
     calm_s_ = 0;
 }
 
+void Deformable::grip(std::span<const std::uint32_t> points) {
+    let_go();
+    for (const std::uint32_t point : points) {
+        if (body_->inverse_mass(point) == 0) continue;
+        body_->pin(point);
+        grip_.points.push_back(point);
+        grip_.places_m.push_back(body_->positions_m()[point]);
+    }
+    asleep_ = false;
+    calm_s_ = 0;
+}
+
+void Deformable::lead_grip(const Vec3d& by_m) {
+    for (Vec3d& place : grip_.places_m) place += by_m;
+}
+
+void Deformable::let_go() {
+    for (const std::uint32_t point : grip_.points) body_->unpin(point);
+    grip_ = {};
+}
+
 void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     step_s_ = step_s;
     if (!asleep_) wake_touched(world);
     done_s_ = 0;
     substeps_ = 0;
     list_near(world);
-    bool disturbed = !movable_.empty() || is_stirred_ || is_blown();
+    bool disturbed = !movable_.empty() || is_stirred_ || is_gripped() || is_blown();
+    grip_.pulled_Ns = {0, 0, 0};
     is_stirred_ = false;
     std::vector<BodyId> seen;
     for (const NearBody& near : near_) {
@@ -307,6 +329,10 @@ void Deformable::lead_pins(double h, double left_s) {
         const Vec3d behind = start - body_->positions_m()[holder.point];
         body_->lead(holder.point, (end - start) / h + behind / std::max(left_s, h));
     }
+    for (std::size_t i = 0; i < grip_.points.size(); ++i) {
+        const Vec3d behind = grip_.places_m[i] - body_->positions_m()[grip_.points[i]];
+        body_->lead(grip_.points[i], behind / std::max(left_s, h));
+    }
 }
 
 void Deformable::load_holders() {
@@ -316,6 +342,7 @@ void Deformable::load_holders() {
         near.push(body_->support_Ns(holder.point),
                   body_->positions_m()[holder.point] - near.center_m);
     }
+    for (const std::uint32_t point : grip_.points) grip_.pulled_Ns += body_->support_Ns(point);
 }
 
 void Deformable::Expected::serialize(Archive& archive) {
@@ -326,9 +353,19 @@ void Deformable::Load::serialize(Archive& archive) {
     archive(body, force_N);
 }
 
+void Deformable::Grip::serialize(Archive& archive) {
+    archive(points, places_m, pulled_Ns);
+}
+
 void Deformable::serialize(Archive& archive) {
     body_->serialize(archive);
-    archive(calm_m_, calm_s_, asleep_, seen_, loads_, felt_, expected_);
+    archive(grip_, calm_m_, calm_s_, asleep_, seen_, loads_, felt_, expected_);
+    const std::size_t count = body_->positions_m().size();
+    archive.expect(
+        grip_.points.size() == grip_.places_m.size() &&
+            std::ranges::all_of(grip_.points, [&](std::uint32_t point) { return point < count; }),
+        "what a hand holds is not there");
+    if (archive.failed()) grip_ = {};
     if (self_contacts_) self_contacts_->serialize(archive);
 }
 

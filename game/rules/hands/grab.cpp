@@ -10,6 +10,7 @@ namespace plumbline::game {
 
 namespace {
 
+constexpr const char* kTooHeavy = "too heavy to lift";
 constexpr Real kStiffness_radps = 18;  // of the spring: follows within about 0.15 s
 constexpr Real kTurnStiffness_radps = 14;
 constexpr Real kFastest_mps = 10;
@@ -102,12 +103,14 @@ std::optional<Grab::Handle> Grab::handle_of(const scene::Simulation& simulation,
 
 std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& aim) {
     const auto looked = looked_at(simulation, aim, kReach_m);
+    if (pinch_.take(simulation, aim, looked ? looked->distance_m : aim.reach_m(kReach_m)))
+        return std::nullopt;
     if (!looked || !simulation.registry.alive(looked->entity)) return "nothing within reach";
     physics::PhysicsWorld& world = simulation.physics;
     const physics::BodyState state = world.state(looked->body);
     if (state.kind != physics::BodyKind::Dynamic) return "this object is fixed";
     if (state.frozen) return "this object is frozen";
-    if (state.mass.mass_kg > kMostMass_kg) return "too heavy to lift";
+    if (state.mass.mass_kg > kMostMass_kg) return kTooHeavy;
     entity_ = looked->entity;
     body_ = looked->body;
     mass_kg_ = state.mass.mass_kg;
@@ -137,6 +140,7 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
 }
 
 void Grab::release(scene::Simulation& simulation) {
+    pinch_.release(simulation);
     if (simulation.registry.alive(entity_) && simulation.registry.has<Held>(entity_)) {
         simulation.registry.remove<Held>(entity_);
     }
@@ -146,10 +150,11 @@ void Grab::release(scene::Simulation& simulation) {
 
 void Grab::forget_gone(scene::Simulation& simulation) {
     const bool is_there = simulation.registry.alive(entity_) && simulation.physics.contains(body_);
-    if (holding() && !is_there) release(simulation);
+    if (holds_thing() && !is_there) release(simulation);
 }
 
 void Grab::change_distance(Real by_m) {
+    pinch_.change_distance(by_m);
     const Real farthest_m = by_pointer_ ? Aim::kSight_m : kFarthest_m;
     distance_m_ = std::clamp(distance_m_ + by_m, kNearest_m, farthest_m);
 }
@@ -181,8 +186,12 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
     return aim.eye_m + path * (std::min(room, length) / length);
 }
 
-void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
-    if (!holding()) return;
+std::optional<std::string> Grab::pull(scene::Simulation& simulation, const Aim& aim) {
+    if (holds_thing()) pull_thing(simulation, aim);
+    return pinch_.pull(simulation, aim) ? std::nullopt : std::optional<std::string>(kTooHeavy);
+}
+
+void Grab::pull_thing(scene::Simulation& simulation, const Aim& aim) {
     physics::PhysicsWorld& world = simulation.physics;
     if (world.state(body_).frozen) return release(simulation);
     const Vec3 target = target_of(simulation, aim);
@@ -296,7 +305,8 @@ void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
             view_from_body_,
             last_target_,
             stuck_s_);
-    if (!archive.reads() || !holding()) return;
+    pinch_.serialize(archive, simulation);
+    if (!archive.reads() || !holds_thing()) return;
     const auto* ref = simulation.registry.find<scene::BodyRef>(entity_);
     const bool is_there = ref != nullptr && ref->body == body_ && mass_kg_ > 0 && radius_m_ > 0;
     if (archive.expect(is_there, "what is in the hand is not there"))
@@ -304,7 +314,11 @@ void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
 }
 
 bool Grab::throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps) {
-    if (!holding()) return false;
+    if (pinch_.holding()) {
+        pinch_.throw_it(simulation, velocity_mps);
+        return true;
+    }
+    if (!holds_thing()) return false;
     physics::PhysicsWorld& world = simulation.physics;
     const Vec3 middle = world.state(body_).center_of_mass_world();
     const auto wall =

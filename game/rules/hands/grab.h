@@ -1,9 +1,10 @@
-// Holding a thing at a distance in front of the eye, by a spring that is critically damped and no
+// Holding a thing, cloth or a soft body at a distance in front of the eye, by a spring that is critically damped and no
 // stronger than a person.
 #pragma once
 
 #include "engine/scene/simulation.h"
 #include "game/rules/hands/aim.h"
+#include "game/rules/hands/pinch.h"
 
 #include <optional>
 #include <string>
@@ -31,12 +32,14 @@ public:
     void release(scene::Simulation& simulation);
     /// Opens the hand when what it holds left the world; else entity() and body() are alive.
     void forget_gone(scene::Simulation& simulation);
-    bool holding() const { return entity_.generation != 0; }
+    bool holding() const { return holds_thing() || pinch_.holding(); }
+    /// Null where it is cloth or a soft body; its body likewise.
     ecs::Entity entity() const { return entity_; }
     physics::BodyId body() const { return body_; }
 
-    /// One step of the spring. Opens the hand when the thing is frozen or out of reach.
-    void pull(scene::Simulation& simulation, const Aim& aim);
+    /// One step of the spring. Opens the hand when the thing is frozen, out of reach or too heavy; returns what is to be said of
+    /// that, or nothing.
+    std::optional<std::string> pull(scene::Simulation& simulation, const Aim& aim);
     void change_distance(Real by_m);
     void rotate(Real yaw_rad, Real pitch_rad);
 
@@ -52,6 +55,8 @@ private:
         Vec3 axle_body{0, 0, 0};  ///< unit; zero: on several wheels, it stands by itself
         void serialize(auto& archive) { archive(point_body, axle_body); }
     };
+    bool holds_thing() const { return entity_.generation != 0; }
+    void pull_thing(scene::Simulation& simulation, const Aim& aim);
     static std::optional<Handle> handle_of(const scene::Simulation& simulation,
                                            const Looked& looked);
     Vec3 target_of(const scene::Simulation& simulation, const Aim& aim) const;
@@ -60,6 +65,7 @@ private:
     void pull_handle(scene::Simulation& simulation, const Vec3& target);
     void keep_level(scene::Simulation& simulation, const Aim& aim);
 
+    Pinch pinch_;
     ecs::Entity entity_{};
     physics::BodyId body_{};
     Real mass_kg_{0};

@@ -184,5 +184,27 @@ TEST(Deformable, AHeavyJellyRestsOnALightBox) {
     EXPECT_NEAR(test.at(box).y, 0.25, 0.01);
 }
 
+// The hand bears its weight, goes where it is led, and leaves it as it was.
+TEST(Deformable, AGripCarriesItAndLetsGo) {
+    TestWorld test;
+    Field field(test.world, cloth_at(2, 0.4, 4), {.thickness_m = 0.01, .pins = {}});
+    field.run(0.1);
+    const std::vector<std::uint32_t> middle{12};
+    field.deformable.grip(middle);
+    const Vec3d taken = field.deformable.body().positions_m()[12];
+    field.run(4);
+    EXPECT_LT(glm::distance(field.deformable.body().positions_m()[12], taken), 1e-9);
+    const double weight_N = field.deformable.body().mass_kg() * 9.81;
+    EXPECT_NEAR(-field.deformable.grip_Ns().y / test.world.def().step_s, weight_N, 0.1 * weight_N);
+    field.deformable.lead_grip({0.1, 0.2, 0});
+    field.run(0.1);
+    EXPECT_LT(glm::distance(field.deformable.body().positions_m()[12], taken + Vec3d{0.1, 0.2, 0}),
+              1e-9);
+    field.deformable.let_go();
+    EXPECT_FALSE(field.deformable.is_gripped());
+    field.run(0.5);
+    EXPECT_LT(field.deformable.body().positions_m()[12].y, taken.y - 0.2);
+}
+
 }  // namespace
 }  // namespace plumbline::physics
