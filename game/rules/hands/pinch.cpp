@@ -64,7 +64,7 @@ std::vector<std::uint32_t> fold_of(const physics::PointBody& body,
         }
     }
     std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 
