@@ -17,10 +17,9 @@ namespace {
 /// Of the newest step in what is smoothed.
 constexpr double kSmoothing = 1.0 / 30.0;
 
-/// What displaced water has risen by, and waves.
+/// What water displaced by rigid bodies has risen by, and waves.
 double water_J(const Simulation& simulation) {
-    double sum =
-        simulation.force_fields.energy_J("buoyancy") + simulation.force_fields.energy_J("soft");
+    double sum = simulation.force_fields.energy_J("buoyancy");
     for (const SceneWater& water : simulation.waters)
         sum += water.waves ? water.waves->energy_J() + water.waves->raised_J() : 0;
     return sum;
@@ -148,6 +147,7 @@ Totals totals_of(const Simulation& simulation) {
             const physics::PointTotals sum = each.body->body().totals();
             totals.energy.kinetic_J += sum.kinetic_J;
             totals.energy.elastic_J += sum.elastic_J;
+            totals.water_J += sum.water_J;
             totals.energy.potential_J -=
                 glm::dot(Vec3d(simulation.physics.def().gravity_mps2), sum.moment_kgm);
             totals.momentum_kgmps += sum.momentum_kgmps;

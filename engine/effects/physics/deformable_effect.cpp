@@ -93,12 +93,6 @@ void DeformableEffect::set_fluids(physics::Deformable& body, const Air* air, boo
     }
 }
 
-double DeformableEffect::energy_J() const {
-    double sum = 0;
-    for (const scene::SceneDeformable& each : all_) sum += each.body->body().totals().water_J;
-    return sum;
-}
-
 void DeformableEffect::before_step(scene::Simulation& simulation) {
     set_fluids();
     pushed_.clear();

@@ -39,8 +39,6 @@ public:
     int substeps() const override;
     double added_mass_kg(physics::BodyId body) const override;
     bool carries() const override { return true; }
-    /// Of the water that they displace.
-    double energy_J() const override;
 
 private:
     struct Drawn {
