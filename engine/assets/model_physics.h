@@ -91,9 +91,12 @@ struct ModelJointLimit {
     std::optional<double> stiffness{};  ///< N/m or N m/rad; none: the limit is hard
     double damping{0};
 };
+/// N s/m or N m s/rad: a drive so damped that has no stiffness keeps its speed, as motors of ours do.
+inline constexpr double kHardDrive = 1e6;
 struct ModelJointDrive {
     bool is_angular{false};
     std::size_t axis{0};
+    bool by_mass{false};                ///< stiffness and damping are times the driven mass
     std::optional<double> max_force{};  ///< N or N m; none: any
     double position_target{0};
     double velocity_target{0};  ///< of the connected node in the joint's frame

@@ -1,5 +1,7 @@
 #include "engine/bullet_world/mirrored_joints.h"
 
+#include "engine/physics/totals.h"
+
 namespace plumbline::bullet_world {
 namespace {
 
@@ -26,6 +28,14 @@ bool same_motor(const std::optional<physics::JointMotor>& a,
 Pose pose_in(const PhysicsWorld& world, BodyId body, const btRigidBody& rigid) {
     if (body == BodyId{}) return pose_of(rigid.getWorldTransform());
     return world.state(body).world_from_body;
+}
+
+void fill(btJointFeedback& feedback, const physics::JointLoad& load) {
+    const auto real = [](const Vec3d& v) { return bullet_of(Vec3(v)); };
+    feedback.m_appliedForceBodyA = real(load.force_on_a_N);
+    feedback.m_appliedTorqueBodyA = real(load.torque_on_a_Nm);
+    feedback.m_appliedForceBodyB = real(-load.force_on_a_N);
+    feedback.m_appliedTorqueBodyB = real(load.torque_on_b_Nm);
 }
 
 bool can_move(const PhysicsWorld& world, BodyId body) {
@@ -132,6 +142,8 @@ void MirroredJoints::write(const PhysicsWorld& world) {
         const physics::JointState& state = world.joint(entry.joint).state;
         constraint->internalSetAppliedImpulse(state.force_N *
                                               static_cast<Real>(world.def().step_s));
+        if (btJointFeedback* feedback = constraint->getJointFeedback())
+            fill(*feedback, joint_load(world, entry.joint));
         if (state.broken) constraint->setEnabled(false);
     }
 }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace plumbline::physics {
 
@@ -46,6 +47,22 @@ enum class CombineRule : std::uint8_t {
     Average,
 };
 
+/// What a body is made of, as its contacts feel it, or what two materials make together.
+struct Material {
+    Real friction{0};
+    Real restitution{0};
+    Real rolling_m{0};   ///< torque against rolling per newton pressed
+    Real spinning_m{0};  ///< ... against spinning about the normal
+    CombineRule friction_rule{CombineRule::Usual};
+    CombineRule restitution_rule{CombineRule::Usual};
+};
+
+/// What a part of a compound shape is made of and what it touches.
+struct PartTraits {
+    Material material{};
+    CollisionFilter filter{};
+};
+
 /// A rigid body as it is asked for. Copied; need not outlive the call. The pose is of the body's
 /// origin, not of its centre of mass.
 struct BodyDef {
@@ -76,6 +93,9 @@ struct BodyDef {
     ContinuousCollision ccd{ContinuousCollision::Auto};
     bool contact_events{false};  ///< list this body's contacts in StepReport::contacts
     CollisionFilter filter{};
+    /// Of the parts of a compound shape, in its order; empty: all are as the body says. Where it is not, the body's filter
+    /// lets through what any part's does. small_step only: others go by the body.
+    std::vector<PartTraits> parts{};
     std::uint64_t user{0};  ///< the caller's own mark, handed back in hits and events
 };
 

@@ -5,16 +5,6 @@
 
 namespace plumbline::physics {
 
-/// What a body is made of, as its contacts feel it, or what two materials make together.
-struct Material {
-    Real friction{0};
-    Real restitution{0};
-    Real rolling_m{0};   ///< torque against rolling per newton pressed
-    Real spinning_m{0};  ///< ... against spinning about the normal
-    CombineRule friction_rule{CombineRule::Usual};
-    CombineRule restitution_rule{CombineRule::Usual};
-};
-
 /// What a caller decides about pairs of bodies, which are given by their marks (BodyDef::user). Asked in
 /// the midst of a step, so it must not change the world. small_step only.
 class PairRules {

@@ -23,10 +23,17 @@ enum class JointKind : std::uint8_t {
     Elastic,  ///< the anchors are pulled together and the bodies turned back: a piece of a rod
 };
 
-/// Drives a hinge or a slider towards a speed with at most a torque or force.
+/// Drives a hinge or a slider with at most a torque or force. Without stiffness and damping it takes what the target speed
+/// takes; with one of them it pushes as a spring and a damper do, stiffness * (position - where the joint is) + damping *
+/// (target - its speed), by implicit Euler.
 struct JointMotor {
-    Real target{0};    ///< rad/s or m/s, of a against b
-    Real max{0};       ///< N m or N; >= 0
+    Real target{0};     ///< rad/s or m/s, of a against b
+    Real max{0};        ///< N m or N; >= 0
+    Real stiffness{0};  ///< N m/rad or N/m; >= 0
+    Real damping{0};    ///< N m s/rad or N s/m; >= 0
+    Real position{0};   ///< rad or m, as JointState::position
+    bool by_mass{
+        false};  ///< both are times the mass that the joint's axis moves, or its moment of inertia
     Real turn_rad{0};  ///< Slider: how far a is held turned against b about the axis; 0 at creation
 };
 

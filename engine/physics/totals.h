@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/contact.h"
+#include "engine/physics/joint.h"
 
 #include <cstddef>
 #include <vector>
@@ -29,6 +30,15 @@ Vec3d angular_momentum_kgm2ps(const PhysicsWorld& world);  ///< about the world'
 /// Deepest contact point of the latest step; 0 if none.
 double max_penetration_m(const PhysicsWorld& world);
 double max_joint_error_m(const PhysicsWorld& world);  ///< of joints that are not broken
+
+/// What a joint did to its bodies in the latest step of small_step, as a mean over it, world axes; torques about their centres
+/// of mass. Zero once it is broken.
+struct JointLoad {
+    Vec3d force_on_a_N{0, 0, 0};  ///< on b the opposite
+    Vec3d torque_on_a_Nm{0, 0, 0};
+    Vec3d torque_on_b_Nm{0, 0, 0};
+};
+JointLoad joint_load(const PhysicsWorld& world, JointId id);
 
 /// Every touching pair whether or not a body asked for events, for state files.
 std::vector<ContactEvent> all_contacts(const PhysicsWorld& world);

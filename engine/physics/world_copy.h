@@ -34,6 +34,7 @@ struct BodyCopy {
     bool is_belt{false};     ///< its surface moves along itself
     bool always_ccd{false};  ///< its definition asks for continuous collision in every step
     CollisionFilter filter{};
+    std::vector<PartTraits> part_traits{};  ///< of `parts`; empty: all are as the body
 };
 
 struct WorldCopy {

@@ -201,6 +201,7 @@ struct BodyDescription {
     std::string group{"default"};
     std::vector<std::string> collides_with;  ///< empty: everything
     bool avoids_own_group{false};            ///< ... but what is in its own
+    std::vector<BodyDescription> parts{};  ///< of a compound: how each touches; empty: as the body
     std::optional<Drag> drag{};
     std::optional<Magnet> magnet{};
     std::optional<FractureDescription> fracture{};
@@ -299,8 +300,7 @@ struct JointDescription {
     SourceLocation location{};
 };
 
-/// `[[change]]`: an entity of the scene, a copy of an array perhaps, that begins otherwise than it is described: what a
-/// level that was made in play has moved, frozen or taken away. Of two for one thing the later one counts.
+/// `[[change]]`: an entity, a copy of an array perhaps, that begins otherwise than described. The later of two for one thing counts.
 struct ChangeDescription {
     std::string of;
     std::optional<Pose> world_from_body{};

@@ -1,5 +1,6 @@
-// A state of a scene that runs go on from: where its own bodies are, and what they carry. What play
-// made, cloth and soft bodies are as the scene's file has them.
+// A state of a scene that runs go on from: where its bodies are and what they carry, and the things that play put into it. Cloth,
+// soft bodies and fragments of what broke in play are as the scene's file has them: how finely they are divided is the
+// runs' own.
 #pragma once
 
 #include "engine/study/played_scene.h"
@@ -11,7 +12,8 @@ namespace plumbline::study {
 
 struct SceneStart {
     double time_s{0};
-    std::string state{};  ///< serialize_bodies_of_scene(); either precision reads it
+    std::string
+        state{};  ///< serialize_bodies_of_scene(), then the things; either precision reads it
 };
 
 SceneStart scene_start_of(scene::Simulation& simulation);

@@ -52,10 +52,10 @@ bool flag_of(const GltfObject& owner, const char* key) {
     return found->get<bool>();
 }
 
-double above_zero(const GltfObject& owner, const char* key) {
-    const std::optional<double> value = owner.real(key);
-    if (!value || !(*value > 0.0)) fail("{}.{} must be a length above 0", owner.where, key);
-    return *value;
+double above_zero(const GltfObject& owner, const char* key, double absent) {
+    const double value = owner.real(key).value_or(absent);
+    if (!(value > 0.0)) fail("{}.{} must be a length above 0", owner.where, key);
+    return value;
 }
 
 std::optional<Vec3d> vector_of(const GltfObject& owner, const char* key) {
@@ -100,7 +100,7 @@ ModelCollisionFilter filter_of(const GltfObject& source) {
 }
 
 ModelShape round_shape(const GltfObject& source, bool is_capsule) {
-    ModelRound round{.is_capsule = is_capsule, .height_m = above_zero(source, "height")};
+    ModelRound round{.is_capsule = is_capsule, .height_m = above_zero(source, "height", 0.5)};
     round.radius_bottom_m = source.real("radiusBottom").value_or(0.25);
     round.radius_top_m = source.real("radiusTop").value_or(0.25);
     if (round.radius_bottom_m < 0.0 || round.radius_top_m < 0.0 ||
@@ -130,8 +130,7 @@ ModelShape shape_of(const GltfReader& reader, const GltfObject& source) {
         return ModelBox{.size_m = size};
     }
     if (type == "sphere") {
-        if (!own.json.contains("radius")) return ModelSphere{};
-        return ModelSphere{.radius_m = above_zero(own, "radius")};
+        return ModelSphere{.radius_m = above_zero(own, "radius", 0.5)};
     }
     if (type == "capsule" || type == "cylinder") return round_shape(own, type == "capsule");
     if (type == "convex" || type == "trimesh") {
@@ -252,6 +251,7 @@ struct PhysicsReader {
 
     static ModelJointDrive drive_of(const GltfObject& source) {
         ModelJointDrive drive{.is_angular = source.text("type") == "angular",
+                              .by_mass = source.text("mode") == "acceleration",
                               .max_force = source.real("maxForce"),
                               .position_target = source.real("positionTarget").value_or(0.0),
                               .velocity_target = source.real("velocityTarget").value_or(0.0),

@@ -40,7 +40,9 @@ void weigh(BodyRecord& record, const BodyDef& def, const ShapeRecord& shape) {
 }
 
 /// The geometry in the body's own mass frame.
-void give_geometry(BodyRecord& record, const ShapeRecord& shape) {
+void give_geometry(BodyRecord& record,
+                   const ShapeRecord& shape,
+                   std::span<const PartTraits> own_traits) {
     const Pose& own = record.traits.body_from_mass;
     const Pose& shared = shape.body_from_mass;
     if (own.position == shared.position && own.orientation == shared.orientation) {
@@ -50,6 +52,13 @@ void give_geometry(BodyRecord& record, const ShapeRecord& shape) {
         record.traits.geometry = std::make_shared<const BodyGeometry>(moved(
             *shape.geometry,
             Transform{glm::mat3_cast(own_from_shared.orientation), own_from_shared.position}));
+    }
+    if (!own_traits.empty()) {
+        PL_ASSERT(own_traits.size() == record.traits.geometry->parts.size(),
+                  "the traits of every part, or none");
+        auto geometry = std::make_shared<BodyGeometry>(*record.traits.geometry);
+        for (std::size_t i = 0; i < own_traits.size(); ++i) geometry->parts[i].own = own_traits[i];
+        record.traits.geometry = std::move(geometry);
     }
     const std::vector<GeometryPart>& parts = record.traits.geometry->parts;
     if (parts.size() == 1 && parts.front().mass_from_part == Transform{})
@@ -99,7 +108,7 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     PL_ASSERT(def.kind != BodyKind::Dynamic || !shape.static_only,
               "planes and meshes only as static or kinematic bodies");
     weigh(record, def, shape);
-    give_geometry(record, shape);
+    give_geometry(record, shape, def.parts);
     record.sweep.inner_radius_m = shape.inner_radius_m;
     record.traits.material = {.friction = def.friction,
                               .restitution = def.restitution,

@@ -18,6 +18,7 @@ struct GeometryPart {
     Transform mass_from_part{};
     Bounds bounds{};                             ///< in the body's mass frame
     std::shared_ptr<const HullGeometry> hull{};  ///< owns what `shape` names
+    std::optional<PartTraits> own{};             ///< in place of the body's
 };
 
 /// Either `parts` or `mesh`. The frame of both is the body's mass frame.

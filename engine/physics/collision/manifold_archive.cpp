@@ -1,6 +1,7 @@
 #include "engine/physics/collision/manifold_archive.h"
 
 #include "engine/core/io/pose_archive.h"
+#include "engine/physics/collision/pair_points.h"
 #include "engine/physics/world/body_record.h"
 
 namespace plumbline::physics {
@@ -53,7 +54,7 @@ void serialize_pair(Archive& archive, Pair& pair) {
         if (!archive.reads()) continue;
         manifold.a = pair.a;
         manifold.b = pair.b;
-        manifold.material = combined(pair.a->traits.material, pair.b->traits.material);
+        manifold.material = material_of(manifold);
     }
 }
 

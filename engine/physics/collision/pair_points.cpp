@@ -70,6 +70,10 @@ Real same_m(const ConvexShape& shape) {
                                : static_cast<Real>(kSameMeshShare * size_of(convex));
 }
 
+const CollisionFilter& filter_of(const BodyRecord& body, const GeometryPart& part) {
+    return part.own ? part.own->filter : body.filter;
+}
+
 /// Finds the points of one pair of bodies.
 class PairPoints {
 public:
@@ -115,6 +119,7 @@ private:
     void collide_parts(std::uint32_t part_a, std::uint32_t part_b) {
         const GeometryPart& a = pair_.a->traits.geometry->parts[part_a];
         const GeometryPart& b = pair_.b->traits.geometry->parts[part_b];
+        if ((a.own || b.own) && !may_touch(filter_of(*pair_.a, a), filter_of(*pair_.b, b))) return;
         const Transform at_a = pair_.a->motion->at * a.mass_from_part;
         const Transform at_b = pair_.b->motion->at * b.mass_from_part;
         const PlacedShape placed_a{a.shape, at_a};
@@ -135,6 +140,7 @@ private:
         std::vector<ConvexPoint> found;
         const std::vector<GeometryPart>& parts = body.traits.geometry->parts;
         for (std::uint32_t i = 0; i < parts.size(); ++i) {
+            if (parts[i].own && !may_touch(parts[i].own->filter, mesh.filter)) continue;
             const Transform at = body.motion->at * parts[i].mass_from_part;
             const PlacedShape part{parts[i].shape, at};
             collide_with_mesh(
@@ -177,20 +183,14 @@ private:
         auto place =
             std::lower_bound(pair_.manifolds.begin(), pair_.manifolds.end(), key, is_before);
         if (place == pair_.manifolds.end() || std::pair(place->part_a, place->part_b) != key) {
-            place = pair_.manifolds.insert(place,
-                                           {.a = pair_.a,
-                                            .b = pair_.b,
-                                            .part_a = part_a,
-                                            .part_b = part_b,
-                                            .material = material()});
+            place = pair_.manifolds.insert(
+                place, {.a = pair_.a, .b = pair_.b, .part_a = part_a, .part_b = part_b});
+            place->material = step_.rules == nullptr
+                                  ? material_of(*place)
+                                  : step_.rules->combined(pair_.a->user, pair_.b->user);
         }
         place->found = true;
         return *place;
-    }
-
-    Material material() const {
-        if (step_.rules != nullptr) return step_.rules->combined(pair_.a->user, pair_.b->user);
-        return combined(pair_.a->traits.material, pair_.b->traits.material);
     }
 
     Pair& pair_;
@@ -205,6 +205,15 @@ void find_points(Pair& pair, const CollideStep& step) {
     PairPoints(pair, step).find();
     pair.touches = std::ranges::any_of(
         pair.manifolds, [](const Manifold& manifold) { return !manifold.points.empty(); });
+}
+
+Material material_of(const Manifold& manifold) {
+    const auto of_part = [](const BodyRecord& body, std::uint32_t part) {
+        const std::vector<GeometryPart>& parts = body.traits.geometry->parts;
+        return part < parts.size() && parts[part].own ? parts[part].own->material
+                                                      : body.traits.material;
+    };
+    return combined(of_part(*manifold.a, manifold.part_a), of_part(*manifold.b, manifold.part_b));
 }
 
 void separate(Pair& pair) {

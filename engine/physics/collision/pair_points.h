@@ -13,6 +13,9 @@ void find_points(Pair& pair, const CollideStep& step);
 /// Forgets the points of bodies whose boxes have parted.
 void separate(Pair& pair);
 
+/// What the materials of its two parts make together.
+Material material_of(const Manifold& manifold);
+
 /// Two parts of a manifold and where they are; null: a mesh's triangles.
 struct ManifoldParts {
     const PlacedShape* a{nullptr};

@@ -55,6 +55,14 @@ std::vector<CompoundChild> parts_of(const BodyGeometry& geometry) {
     return parts;
 }
 
+std::vector<PartTraits> traits_of(const BodyGeometry& geometry) {
+    std::vector<PartTraits> traits;
+    for (const GeometryPart& part : geometry.parts) {
+        if (part.own) traits.push_back(*part.own);
+    }
+    return traits;
+}
+
 BodyCopy copy_of(const BodyRecord& record) {
     const BodyTraits& traits = record.traits;
     return {.id = record.id,
@@ -76,7 +84,8 @@ BodyCopy copy_of(const BodyRecord& record) {
             .can_sleep = record.can_sleep,
             .is_belt = traits.is_belt(),
             .always_ccd = record.sweep.ccd == ContinuousCollision::On,
-            .filter = record.filter};
+            .filter = record.filter,
+            .part_traits = traits_of(*traits.geometry)};
 }
 
 double depth_m(BodyRecord& a, BodyRecord& b) {

@@ -135,7 +135,8 @@ bool moves_past_itself(const BodyRecord& record) {
 
 Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group) {
     const BodyPath path = path_of(record);
-    const MovingBody moving{*record.traits.geometry, path, crossing_of(record)};
+    const MovingBody moving{
+        *record.traits.geometry, path, crossing_of(record), nullptr, record.filter};
     Impact first;
     const auto near = bodies_near(world,
                                   swept_bounds(moving.geometry, path),
@@ -145,11 +146,11 @@ Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint3
                                    .unseen_group = unseen_group});
     for (const BodyRecord* other : near) {
         const BodyPath other_path = path_of(*other);
-        const auto impact =
-            time_of_impact(moving,
-                           {*other->traits.geometry, other_path, crossing_of(*other)},
-                           are_in_contact(record, *other) ? Known::Held : Known::Nothing,
-                           first.share);
+        const auto impact = time_of_impact(
+            moving,
+            {*other->traits.geometry, other_path, crossing_of(*other), nullptr, other->filter},
+            are_in_contact(record, *other) ? Known::Held : Known::Nothing,
+            first.share);
         if (impact) first = *impact;
     }
     return first;
@@ -256,12 +257,19 @@ PredictedImpact Forecast::first_impact(const BodyRecord& record, double latest, 
         if (once_a_pair && against.is_compared) continue;
         const bool is_mesh = other.traits.geometry->mesh != nullptr;
         if (!is_mesh && !overlap(course.swept, against.swept)) continue;
-        const auto impact = time_of_impact(
-            {*record.traits.geometry, course.path, crossing_of(record), &course.swept},
-            {*other.traits.geometry, against.path, crossing_of(other), &against.swept},
-            touches ? Known::Touching : Known::Apart,
-            first.share,
-            until);
+        const auto impact = time_of_impact({*record.traits.geometry,
+                                            course.path,
+                                            crossing_of(record),
+                                            &course.swept,
+                                            record.filter},
+                                           {*other.traits.geometry,
+                                            against.path,
+                                            crossing_of(other),
+                                            &against.swept,
+                                            other.filter},
+                                           touches ? Known::Touching : Known::Apart,
+                                           first.share,
+                                           until);
         if (impact) first = {impact->share, &other};
     }
     return first;

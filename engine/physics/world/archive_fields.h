@@ -60,7 +60,13 @@ inline void serialize(Archive& archive, ContactEvent& event) {
 }
 
 inline void serialize(Archive& archive, JointMotor& motor) {
-    archive(motor.target, motor.max, motor.turn_rad);
+    archive(motor.target,
+            motor.max,
+            motor.stiffness,
+            motor.damping,
+            motor.position,
+            motor.by_mass,
+            motor.turn_rad);
 }
 
 inline void serialize(Archive& archive, JointDef& def) {

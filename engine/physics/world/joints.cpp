@@ -29,7 +29,8 @@ bool is_positive_or_zero(Real number) {
 }
 bool is_good(const JointMotor& motor) {
     return std::isfinite(motor.target) && std::isfinite(motor.turn_rad) &&
-           is_positive_or_zero(motor.max);
+           std::isfinite(motor.position) && is_positive_or_zero(motor.max) &&
+           is_positive_or_zero(motor.stiffness) && is_positive_or_zero(motor.damping);
 }
 
 std::string fault_of_limits(const std::optional<std::array<Real, 2>>& limits,

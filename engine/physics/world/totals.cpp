@@ -1,6 +1,7 @@
 #include "engine/physics/totals.h"
 
 #include "engine/physics/bullet/body.h"
+#include "engine/physics/world/joint_record.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -78,6 +79,22 @@ double max_joint_error_m(const PhysicsWorld& world) {
         if (!record->state.broken) most_m = std::max(most_m, record->state.error_m);
     });
     return most_m;
+}
+
+JointLoad joint_load(const PhysicsWorld& world, JointId id) {
+    const WorldState& state = internals(world);
+    const JointRecord& joint = *state.joints.get(id);
+    if (joint.state.broken) return {};
+    const double step_s = static_cast<double>(state.def.step_s);
+    const Vec3d force_N = joint.solver.total_impulse_Ns / step_s;
+    const Vec3d torque_Nm = joint.solver.total_angular_impulse_Nms / step_s;
+    const auto moment_of = [](const BodyRecord* body, const Vec3d& anchor, const Vec3d& force) {
+        if (body == nullptr) return Vec3d{0, 0, 0};
+        return glm::cross(Vec3d(body->motion->at.rotation * Vec3(anchor)), force);
+    };
+    return {.force_on_a_N = force_N,
+            .torque_on_a_Nm = torque_Nm + moment_of(joint.a, joint.solver.anchor_in_a, force_N),
+            .torque_on_b_Nm = moment_of(joint.b, joint.solver.anchor_in_b, -force_N) - torque_Nm};
 }
 
 int most_substeps(const PhysicsWorld& world) {

@@ -11,7 +11,6 @@ namespace plumbline::scene {
 
 namespace {
 
-constexpr std::size_t kGroupBits = 32;
 constexpr Real kLeastInertia = 0.05_r;  ///< of the inertia of a ball that fits in
 
 // By reference: a cast of a value would be idle in the float build, and warned of.
@@ -73,22 +72,7 @@ PointLight light_of(const LightDescription& light) {
 }  // namespace
 
 EntityBuilder::EntityBuilder(Simulation& simulation)
-    : simulation_(simulation), shapes_(simulation.physics) {
-    groups_.emplace("default", 1U);
-}
-
-Result<std::uint32_t> EntityBuilder::group_bit(const std::string& name) {
-    if (const auto known = groups_.find(name); known != groups_.end()) return known->second;
-    if (groups_.size() >= kGroupBits) {
-        return Error{fmt::format("group \"{}\" is one too many: there can be {} beside \"default\"",
-                                 name,
-                                 kGroupBits - 1),
-                     ExitCode::Refused};
-    }
-    const std::uint32_t bit = 1U << groups_.size();
-    groups_.emplace(name, bit);
-    return bit;
-}
+    : simulation_(simulation), shapes_(simulation.physics) {}
 
 void EntityBuilder::warn_once(const std::string& text) {
     const std::vector<std::string>& known = simulation_.warnings;
@@ -257,17 +241,12 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
     const BodyDescription& body = *description.body;
     const Result<BuiltShape> shape = shape_of(description, appearance);
     if (!shape) return shape.error();
-    const Result<std::uint32_t> group = group_bit(body.group);
-    if (!group) return group.error();
-    std::uint32_t collides_with = body.collides_with.empty() ? ~0U : 0U;
-    for (const std::string& name : body.collides_with) {
-        const Result<std::uint32_t> bit = group_bit(name);
-        if (!bit) return bit.error();
-        collides_with |= *bit;
-    }
-    if (body.avoids_own_group) collides_with &= ~*group;
-
+    const Result<physics::CollisionFilter> filter = groups_.filter_of(body);
+    if (!filter) return filter.error();
     const Surface& surface = simulation_.surfaces().get(surface_index);
+    const Result<std::vector<physics::PartTraits>> parts = groups_.parts_of(body, surface);
+    if (!parts) return parts.error();
+
     Real mass_kg = body.mass_kg.value_or(body.density_kgpm3.value_or(surface.density_kgpm3) *
                                          shape->volume_m3);
     const bool is_dynamic = body.kind == physics::BodyKind::Dynamic;
@@ -304,7 +283,8 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .ccd = body.ccd,
          .contact_events = (is_dynamic && simulation_.surfaces().is_heard(surface_index)) ||
                            !description.contact_material.empty(),
-         .filter = {.group = *group, .collides_with = collides_with},
+         .filter = *filter,
+         .parts = *parts,
          .user = mark_of(entity)});
     if (body.kind != physics::BodyKind::Static) track(description, entity, id, *shape);
     return id;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/scene/build/collision_groups.h"
 #include "engine/scene/build/shape_factory.h"
 #include "engine/scene/simulation.h"
 
@@ -17,10 +18,7 @@ public:
     /// `simulation` must outlive the builder.
     explicit EntityBuilder(Simulation& simulation);
 
-    /// Names the group's bit; groups beyond the 32nd are an error.
-    Result<std::uint32_t> group_bit(const std::string& name);
-    /// Those named so far, each with its bit.
-    const std::map<std::string, std::uint32_t>& groups() const { return groups_; }
+    const CollisionGroups& groups() const { return groups_; }
     /// Materials that stand in where the scene has none of the name: for things from outside it.
     void lend_materials(const std::map<std::string, assets::MaterialData>& materials);
     /// Adds the entity under `name`. On an error nothing is left of it.
@@ -73,7 +71,7 @@ private:
     ShapeFactory shapes_;
     std::map<std::string, assets::MaterialId> materials_;
     std::map<std::string, assets::MaterialData> lent_;
-    std::map<std::string, std::uint32_t> groups_;
+    CollisionGroups groups_;
     std::set<std::filesystem::path> refused_models_;
 };
 

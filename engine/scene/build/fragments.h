@@ -3,6 +3,7 @@
 
 #include "engine/assets/asset_library.h"
 #include "engine/physics/fracture.h"
+#include "engine/scene/components.h"
 #include "engine/scene/scene_description.h"
 
 #include <optional>
@@ -22,6 +23,11 @@ struct FragileWhole {
     std::uint32_t next_part{0};  ///< number in the name of the next
     std::optional<double> broke_at_s{};
 };
+
+/// Whether it is a part of something that broke.
+inline bool is_fragment(const FragileWhole& whole, const Fragile& fragile) {
+    return fragile.pieces.size() < whole.pattern.pieces.size();
+}
 
 /// Where the frame of a body of these pieces lies in the pattern, along the same axes: the whole has its own, a part that of its centre.
 Vec3d origin_of(const physics::FracturePattern& pattern, std::span<const std::uint32_t> pieces);

@@ -246,9 +246,7 @@ struct BodyMaker {
         const physics::ShapeDef shape = is_one ? first.shape : physics::ShapeDef{whole};
         entity.visual = seen_of(number, shape);
         body.shape = shape;
-        check_alike(colliders);
-        filter(*colliders.front(), body);
-        wear(*colliders.front(), body);
+        touch_as(colliders, body);
         launch(motion, body);
         entity.body = std::move(body);
         add_extras(motion.node, entity);
@@ -256,16 +254,20 @@ struct BodyMaker {
         gltf.scene.entities.push_back(std::move(entity));
     }
 
-    void check_alike(const std::vector<const assets::ModelCollider*>& colliders) const {
-        for (const assets::ModelCollider* other : colliders) {
-            if (other->material == colliders.front()->material &&
-                other->filter == colliders.front()->filter)
-                continue;
-            gltf.warn(
-                other->node,
-                "the colliders of one body have one material and one filter here: those of {}",
-                gltf.called(colliders.front()->node));
-            return;
+    /// Materials and filters of the colliders: the body's, or where they differ each part's own.
+    void touch_as(const std::vector<const assets::ModelCollider*>& colliders,
+                  BodyDescription& body) const {
+        const assets::ModelCollider& first = *colliders.front();
+        filter(first, body);
+        wear(first, body);
+        const bool alike = std::ranges::all_of(colliders, [&first](const auto* other) {
+            return other->material == first.material && other->filter == first.filter;
+        });
+        if (alike) return;
+        for (const assets::ModelCollider* collider : colliders) {
+            BodyDescription& part = body.parts.emplace_back();
+            filter(*collider, part);
+            wear(*collider, part);
         }
     }
 
@@ -300,9 +302,7 @@ struct BodyMaker {
             colliders.size() == 1 ? whole.children.front().shape : physics::ShapeDef{whole};
         if (gltf.model.mesh.indices.empty()) entity.visual = seen_of(0, shape);
         body.shape = shape;
-        check_alike(colliders);
-        filter(first, body);
-        wear(first, body);
+        touch_as(colliders, body);
         entity.body = std::move(body);
         add_extras(owner, entity);
         gltf.entities[owner] = entity.name;

@@ -89,25 +89,25 @@ const char* name_of(CombineRule rule, const char* usual) {
 }
 
 /// What other programs read of the usual rules: the geometric mean is a product of roots. Ours reads the extras.
-std::size_t material_of(GltfOutput& out, const BodyCopy& body) {
-    const bool usual = body.friction_rule == CombineRule::Usual;
-    const Real friction = usual ? std::sqrt(body.friction) : body.friction;
-    Json own{{"friction", body.friction},
-             {"restitution", body.restitution},
-             {"friction_combine", name_of(body.friction_rule, "usual")},
-             {"restitution_combine", name_of(body.restitution_rule, "usual")}};
+std::size_t number_of(GltfOutput& out, const physics::Material& of) {
+    const bool usual = of.friction_rule == CombineRule::Usual;
+    const Real friction = usual ? std::sqrt(of.friction) : of.friction;
+    Json own{{"friction", of.friction},
+             {"restitution", of.restitution},
+             {"friction_combine", name_of(of.friction_rule, "usual")},
+             {"restitution_combine", name_of(of.restitution_rule, "usual")}};
     return place_in(out.physics()["physicsMaterials"],
                     {{"staticFriction", friction},
                      {"dynamicFriction", friction},
-                     {"restitution", body.restitution},
-                     {"frictionCombine", name_of(body.friction_rule, "multiply")},
-                     {"restitutionCombine", name_of(body.restitution_rule, "maximum")},
+                     {"restitution", of.restitution},
+                     {"frictionCombine", name_of(of.friction_rule, "multiply")},
+                     {"restitutionCombine", name_of(of.restitution_rule, "maximum")},
                      {"extras", {{"plumbline", std::move(own)}}}});
 }
 
 /// Nothing for a body that touches everything and that everything touches.
 std::optional<std::size_t> filter_of(GltfOutput& out, const physics::CollisionFilter& filter) {
-    const auto& groups = out.simulation.builder().groups();
+    const auto& groups = out.simulation.builder().groups().bits();
     Json member_of = Json::array();
     Json with = Json::array();
     Json without = Json::array();
@@ -181,12 +181,20 @@ void write_body(GltfOutput& out, const BodyCopy& body, std::size_t number) {
     if (Json traits = traits_of(body); !traits.empty())
         out.node(number)["extras"]["plumbline"]["body"] = std::move(traits);
     if (body.is_belt) out.note("surfaces that move along themselves stand still");
-    const std::size_t material = material_of(out, body);
-    const auto filter = filter_of(out, body.filter);
+    const physics::PartTraits whole{.material = {.friction = body.friction,
+                                                 .restitution = body.restitution,
+                                                 .friction_rule = body.friction_rule,
+                                                 .restitution_rule = body.restitution_rule},
+                                    .filter = body.filter};
     const Pose node_from_mass = compose(invert(state.world_from_body), body.world_from_mass);
-    for (const physics::CompoundChild& part : body.parts) {
-        Json collider{{"geometry", geometry_of(out, part.shape)}, {"physicsMaterial", material}};
-        if (filter) collider["collisionFilter"] = *filter;
+    for (std::size_t i = 0; i < body.parts.size(); ++i) {
+        const physics::CompoundChild& part = body.parts[i];
+        const physics::PartTraits& traits =
+            body.part_traits.empty() ? whole : body.part_traits.at(i);
+        Json collider{{"geometry", geometry_of(out, part.shape)},
+                      {"physicsMaterial", number_of(out, traits.material)}};
+        if (const auto filter = filter_of(out, traits.filter))
+            collider["collisionFilter"] = *filter;
         const Pose at = compose(node_from_mass, part.body_from_child);
         const bool is_here = glm::length(at.position) < kSamePlace_m &&
                              std::abs(at.orientation.w) > Real{1} - kSamePlace_m * kSamePlace_m;

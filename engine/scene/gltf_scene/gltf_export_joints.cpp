@@ -1,4 +1,5 @@
 // Joints as sums of limits.
+#include "engine/assets/model_physics.h"
 #include "engine/scene/gltf_scene/gltf_export_impl.h"
 
 #include <fmt/format.h>
@@ -10,9 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 using physics::JointDef;
-
-constexpr double kStiffDrive =
-    1e6;  // N m s or N s/m: our motors hold their speed up to their maximum
 
 Json limit(const char* axes, Json numbers, Real min, Real max) {
     return {{axes, std::move(numbers)}, {"min", min}, {"max", max}};
@@ -49,12 +47,19 @@ Json description_of(const JointDef& def) {
     Json drives = Json::array();
     const auto drive = [&](const char* type) {
         if (!def.motor) return;
-        drives.push_back({{"type", type},
-                          {"mode", "force"},
-                          {"axis", 0},
-                          {"maxForce", def.motor->max},
-                          {"velocityTarget", def.motor->target},
-                          {"damping", kStiffDrive}});
+        const physics::JointMotor& motor = *def.motor;
+        const bool gives_way = motor.stiffness > 0 || motor.damping > 0;
+        drives.push_back(
+            {{"type", type},
+             {"mode", motor.by_mass ? "acceleration" : "force"},
+             {"axis", 0},
+             {"maxForce", motor.max},
+             {"velocityTarget", motor.target},
+             {"damping", gives_way ? static_cast<double>(motor.damping) : assets::kHardDrive}});
+        if (motor.stiffness > 0) {
+            drives.back()["stiffness"] = motor.stiffness;
+            drives.back()["positionTarget"] = motor.position;
+        }
     };
     const auto range = [&](const char* axes, const std::array<Real, 2>& bounds) {
         limits.push_back(limit(axes, {0}, bounds[0], bounds[1]));

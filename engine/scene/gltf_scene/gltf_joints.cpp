@@ -12,13 +12,16 @@ namespace {
 constexpr double kClosed = 1e-6;  // m or rad: what is less is none
 constexpr double kApart_m = 1e-3;
 constexpr double kEndless_m = std::numeric_limits<double>::infinity();  // or rad
+constexpr double kAnyForce = 1e9;                                       // N or N m
 constexpr double kStraight_rad = 3.14159265358979323846;
 
 /// What a joint leaves of one axis.
 struct AxisRange {
     double min{-kEndless_m};
     double max{kEndless_m};
-    bool is_locked() const { return min > -kClosed && max < kClosed; }
+    bool is_locked() const { return max - min < kClosed; }
+    /// Where it is locked.
+    double place() const { return is_locked() ? (min + max) / 2 : 0; }
     bool is_free() const { return min == -kEndless_m && max == kEndless_m; }
 };
 
@@ -150,18 +153,21 @@ struct JointMaker {
     }
 
     void drive(bool angular, std::size_t axis_number) {
+        const double now = angular ? turn_now(axis_number) : shift_now(axis_number);
+        const double sign = swapped ? -1 : 1;
         for (const assets::ModelJointDrive& drive : source.drives) {
             if (drive.is_angular != angular || drive.axis != axis_number) {
                 gltf.warn(source.node, "a drive along an axis that the joint locks does nothing");
-            } else if (drive.stiffness > 0) {
-                gltf.warn(source.node,
-                          "a drive to a position is left out: motors here keep a speed");
-            } else {
-                const double most = std::min(drive.max_force.value_or(1e9), 1e9);
+            } else if (drive.stiffness > 0 || drive.damping > 0) {
+                const bool is_hard = !(drive.stiffness > 0) && drive.damping >= assets::kHardDrive;
+                const double most = std::min(drive.max_force.value_or(kAnyForce), kAnyForce);
                 joint.motor = physics::JointMotor{
-                    .target =
-                        static_cast<Real>(swapped ? -drive.velocity_target : drive.velocity_target),
-                    .max = static_cast<Real>(most)};
+                    .target = static_cast<Real>(sign * drive.velocity_target),
+                    .max = static_cast<Real>(most),
+                    .stiffness = static_cast<Real>(drive.stiffness),
+                    .damping = is_hard ? Real{0} : static_cast<Real>(drive.damping),
+                    .position = static_cast<Real>(sign * (drive.position_target - now)),
+                    .by_mass = drive.by_mass};
             }
         }
     }
@@ -238,7 +244,11 @@ struct JointMaker {
         Freedom freedom;
         for (const assets::ModelJointLimit& limit : source.limits) add_limit(limit, freedom);
         if (!find_ends()) return false;
-        joint.anchor_a_m = joint.anchor_b_m = Vec3(frame.position_m);
+        // What is locked away from 0 turns about a point beside the joint's node.
+        const Vec3d pivot_m = frame.position_m + frame.turn * Vec3d(freedom.shift[0].place(),
+                                                                    freedom.shift[1].place(),
+                                                                    freedom.shift[2].place());
+        joint.anchor_a_m = joint.anchor_b_m = Vec3(pivot_m);
         if (freedom.is_strange)
             return refuse("a distance from a line, or one angle of three axes, has no joint here");
         if (freedom.is_soft) gltf.warn(source.node, "soft limits are hard here");
@@ -250,7 +260,7 @@ struct JointMaker {
             return true;
         }
         if (locked(freedom.shift) == 3) {
-            if (glm::distance(frame.position_m, other.position_m) > kApart_m)
+            if (glm::distance(pivot_m, other.position_m) > kApart_m)
                 gltf.warn(source.node, "its frames are apart; they are held as they are");
             return make_held(freedom);
         }

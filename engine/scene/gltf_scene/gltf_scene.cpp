@@ -32,13 +32,22 @@ Aabb bounds_of_scene(const GltfScene& gltf) {
     return bounds;
 }
 
+/// Whether something falls and the file has nothing that it could fall on.
+bool needs_floor(const std::vector<EntityDescription>& things) {
+    bool falls = false;
+    for (const EntityDescription& entity : things) {
+        if (!entity.body) continue;
+        if (entity.body->kind == physics::BodyKind::Static) return false;
+        falls |=
+            entity.body->kind == physics::BodyKind::Dynamic && entity.body->gravity_factor != 0;
+    }
+    return falls;
+}
+
 /// Light, air and camera, as for a model by itself. What a file stands on is its own, or else the stage's floor.
 void set_stage(SceneDescription& scene, const Aabb& bounds, const EntityDescription& floor) {
     std::vector<EntityDescription> things = std::exchange(scene.entities, {});
-    const bool stands = std::ranges::any_of(things, [](const EntityDescription& entity) {
-        return entity.body && entity.body->kind == physics::BodyKind::Static;
-    });
-    if (!stands) scene.entities.push_back(floor);
+    if (needs_floor(things)) scene.entities.push_back(floor);
     place_on_stage(scene, bounds);
     scene.model_radius_m = 0;
     scene.has_camera = true;

@@ -136,9 +136,8 @@ struct LevelWriter {
         }
     }
 
-    /// A part of something that broke.
     bool is_broken(const Fragile& fragile) const {
-        return fragile.pieces.size() < simulation.wholes()[fragile.whole]->pattern.pieces.size();
+        return is_fragment(*simulation.wholes()[fragile.whole], fragile);
     }
 
     std::vector<std::string> notes() const {

@@ -63,7 +63,9 @@ void check_counts(const SceneDescription& scene,
 void check_groups(const std::vector<Kind>& kinds, LoadContext& context) {
     std::set<std::string> groups{"default"};
     for (const Kind& kind : kinds) {
-        if (kind.entity.body) groups.insert(kind.entity.body->group);
+        if (!kind.entity.body) continue;
+        groups.insert(kind.entity.body->group);
+        for (const BodyDescription& part : kind.entity.body->parts) groups.insert(part.group);
     }
     if (groups.size() > kGroups) {
         context.faults.error(context.scene_location,

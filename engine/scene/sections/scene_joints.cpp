@@ -117,6 +117,9 @@ void read_motor(TableReader& table, physics::JointMotor& motor) {
     table.require("max", "N m or N");
     table.read("target", motor.target, {-1e4, 1e4, "rad/s or m/s from -10000 to 10000"});
     table.read("max", motor.max, kForce);
+    table.read("stiffness", motor.stiffness, kForce);
+    table.read("damping", motor.damping, kForce);
+    table.read("position", motor.position, {-1e4, 1e4, "rad or m from -10000 to 10000"});
 }
 
 void read_drive(TableReader& table, JointDescription& joint) {

@@ -194,7 +194,15 @@ std::vector<std::string> not_handed(const PlayedScene& scene) {
             break;
         }
     }
-    for (const BodyCopy& body : physics::copy_of(simulation.physics).bodies) {
+    const physics::WorldCopy copy = physics::copy_of(simulation.physics);
+    const bool parts_differ = std::ranges::any_of(
+        copy.bodies, [](const BodyCopy& body) { return !body.part_traits.empty(); });
+    if (parts_differ) names.emplace_back("parts of one body that differ in friction or groups");
+    const bool gives_way = std::ranges::any_of(copy.joints, [](const JointDef& joint) {
+        return joint.motor && (joint.motor->stiffness > 0 || joint.motor->damping > 0);
+    });
+    if (gives_way) names.emplace_back("a motor that is a spring");
+    for (const BodyCopy& body : copy.bodies) {
         const bool pulled = body.gravity_factor != body.linear_factor;
         const bool ruled = body.friction_rule != physics::CombineRule::Usual ||
                            body.restitution_rule != physics::CombineRule::Usual;

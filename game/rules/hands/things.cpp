@@ -3,7 +3,7 @@
 #include "engine/physics/query.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/shape_factory.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/level/shipped_things.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "game/components.h"
 
@@ -81,15 +81,6 @@ Thing make_plain(std::size_t index) {
     return thing;
 }
 
-/// Prefabs of a scene file become droppable: named, dynamic, at rest.
-Thing make_from(const scene::EntityDescription& prefab, std::size_t index) {
-    Thing thing{.description = prefab};
-    thing.description.name = std::string(name_of_kind(index));
-    if (!thing.description.body) thing.description.body.emplace();
-    thing.description.body->kind = physics::BodyKind::Dynamic;
-    return thing;
-}
-
 /// What was put into the world and is there, by when: the oldest first. Of what broke, its parts.
 using PutThings = std::map<std::uint64_t, std::vector<ecs::Entity>>;
 
@@ -113,23 +104,18 @@ void destroy(scene::Simulation& simulation, ecs::Entity entity) {
 
 Things::Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder) {
     const scene::SceneDescription& scene = simulation.description();
-    scene::SceneDescription shipped;
-    const std::filesystem::path file = assets_folder / "scenes" / "things.toml";
-    std::error_code ignored;
     const bool incomplete = std::any_of(kThingNames.begin(), kThingNames.end(), [&](auto name) {
         return !scene.prefabs.contains(std::string(name));
     });
-    if (incomplete && std::filesystem::is_regular_file(file, ignored)) {
-        Diagnostics faults;
-        if (auto loaded = scene::read_description(file, assets_folder, faults)) shipped = *loaded;
-    }
+    const scene::SceneDescription shipped =
+        incomplete ? scene::shipped_things(assets_folder) : scene::SceneDescription{};
     simulation.builder().lend_materials(shipped.materials);
     for (std::size_t i = 0; i < kKinds; ++i) {
         const std::string name(name_of_kind(i));
         if (const auto own = scene.prefabs.find(name); own != scene.prefabs.end()) {
-            things_[i] = make_from(own->second, i);
+            things_[i].description = scene::thing_of(own->second, name);
         } else if (const auto known = shipped.prefabs.find(name); known != shipped.prefabs.end()) {
-            things_[i] = make_from(known->second, i);
+            things_[i].description = scene::thing_of(known->second, name);
         } else {
             things_[i] = make_plain(i);
         }

@@ -17,6 +17,26 @@ TEST(MirroredJoints, AConstraintCarriesAndSaysWhat) {
     EXPECT_NEAR(point.getAppliedImpulse(), kWeight_N / 60, 1e-3);
 }
 
+// A bar held level at one end by a hinge at its limit: the force is its weight, the moment its weight times half its length.
+TEST(MirroredJoints, FeedbackIsWhatTheConstraintDoesToBothBodies) {
+    OurRig rig;
+    btRigidBody& post = rig.box({-1, 0, 0}, 0);
+    btRigidBody& bar = rig.box({1, 0, 0}, 2);
+    auto& weld = rig.join<btFixedConstraint>(true,
+                                             bar,
+                                             post,
+                                             btTransform(btQuaternion::getIdentity(), {-1, 0, 0}),
+                                             btTransform(btQuaternion::getIdentity(), {1, 0, 0}));
+    btJointFeedback feedback{};
+    weld.setJointFeedback(&feedback);
+    rig.run(0.5);
+    EXPECT_NEAR(feedback.m_appliedForceBodyA.y(), 2 * kWeight_N, 1e-2);
+    EXPECT_NEAR(feedback.m_appliedForceBodyB.y(), -2 * kWeight_N, 1e-2);
+    EXPECT_NEAR(feedback.m_appliedTorqueBodyA.length(), 0, 1e-2) << "about its own centre it rests";
+    EXPECT_NEAR(feedback.m_appliedTorqueBodyB.z(), -2 * kWeight_N * 2, 1e-2)
+        << "the weight on an arm of 2 m";
+}
+
 TEST(MirroredJoints, OneThatBreaksIsDisabled) {
     OurRig rig;
     btRigidBody& body = rig.box({0, 0, 0}, 1);

@@ -1,5 +1,7 @@
 #include "engine/study/scene_start.h"
 
+#include "engine/scene/build/entity_builder.h"
+#include "engine/scene/level/shipped_things.h"
 #include "tests/scenarios/scene_run.h"
 #include "tests/support/scoped_variable.h"
 #include "tests/support/temporary_folder.h"
@@ -55,6 +57,41 @@ TEST_F(SceneStartTest, TheAccuracyIsTheRunsOwn) {
     run.step(30);
     const PlayedScene scene = played_from(scene_start_of(*run.simulation), {.step_hz = 240});
     EXPECT_NEAR(scene.simulation().step_s(), 1.0 / 240, 1e-9);
+}
+
+TEST_F(SceneStartTest, HasTheThingsThatPlayPutThere) {
+    test::SceneRun run("bench/peers/heavy10.toml");
+    run.step(30);
+    const scene::SceneDescription shipped = scene::shipped_things(test::repository() / "assets");
+    const auto put = [&](const char* prefab, const Vec3& position) {
+        run.simulation->builder().lend_materials(shipped.materials);
+        const ecs::Entity entity =
+            run.simulation->spawn(scene::thing_of(shipped.prefabs.at(prefab), prefab));
+        run.simulation->registry.add<scene::Dropped>(entity, scene::Dropped{});
+        const physics::BodyId body = run.simulation->registry.get<scene::BodyRef>(entity).body;
+        run.simulation->physics.set_pose(body, {.position = position});
+        return body;
+    };
+    const physics::BodyId flying = put("ball", {3, 9, 1});
+    run.simulation->physics.set_velocity(flying, {1, 2, 3}, {4, 5, 6});
+    const physics::BodyId frozen = put("crate", {-3, 9, 1});
+    run.simulation->physics.set_frozen(frozen, true);
+
+    PlayedScene scene = played_from(scene_start_of(*run.simulation), {});
+    const auto body_in = [&](const char* name) {
+        const ecs::Entity entity = scene.simulation().find(name);
+        return scene.simulation().registry.get<scene::BodyRef>(entity).body;
+    };
+    run.step(30);
+    for (int i = 0; i < 30; ++i) scene.step();
+    const physics::BodyState here = run.simulation->physics.state(flying);
+    const physics::BodyState there = scene.simulation().physics.state(body_in("ball#1"));
+    EXPECT_EQ(here.world_from_body.position, there.world_from_body.position);
+    EXPECT_EQ(here.angular_velocity_radps, there.angular_velocity_radps);
+    EXPECT_EQ(here.mass.mass_kg, there.mass.mass_kg);
+    EXPECT_EQ(scene.simulation().physics.state(body_in("crate#1")).world_from_body.position,
+              Vec3(-3, 9, 1))
+        << "it is frozen";
 }
 
 TEST_F(SceneStartTest, RefusesWhatIsNone) {

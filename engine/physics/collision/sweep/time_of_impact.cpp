@@ -237,9 +237,14 @@ public:
 
     std::optional<Impact> find() {
         if (a_.geometry.mesh != nullptr) {
-            for (const GeometryPart& part : b_.geometry.parts) meet_mesh(b_, part, a_, -1);
+            for (const GeometryPart& part : b_.geometry.parts) {
+                if (!part.own || may_touch(part.own->filter, a_.filter))
+                    meet_mesh(b_, part, a_, -1);
+            }
         } else if (b_.geometry.mesh != nullptr) {
-            for (const GeometryPart& part : a_.geometry.parts) meet_mesh(a_, part, b_, 1);
+            for (const GeometryPart& part : a_.geometry.parts) {
+                if (!part.own || may_touch(part.own->filter, b_.filter)) meet_mesh(a_, part, b_, 1);
+            }
         } else {
             for (const GeometryPart& part : a_.geometry.parts) meet_parts(part);
         }
@@ -261,6 +266,10 @@ private:
     void meet_parts(const GeometryPart& a) {
         const Bounds near = swept(a_, a);
         for (const GeometryPart& b : b_.geometry.parts) {
+            const bool differ = a.own || b.own;
+            if (differ &&
+                !may_touch(a.own ? a.own->filter : a_.filter, b.own ? b.own->filter : b_.filter))
+                continue;
             if (!overlap(near, swept(b_, b))) continue;
             const Vec3d origin{a_.path.from.position_m};
             const Motions motions{motion_of(a, a_.path), motion_of(b, b_.path)};

@@ -23,6 +23,7 @@ struct MovingBody {
     const BodyPath& path;
     double crossing_m{0};          ///< infinite: the other body's counts
     const Bounds* swept{nullptr};  ///< all of its places; null: not known yet
+    CollisionFilter filter{};      ///< of parts without one
 };
 
 struct Impact {

@@ -25,6 +25,7 @@ void set_motor(JointBound& bound, const JointMotor& motor, double substep_s) {
     if (!(motor.max > 0)) return;
     bound.motor_speed = static_cast<double>(motor.target);
     bound.motor_impulse = std::min(static_cast<double>(motor.max) * substep_s, kMostImpulse);
+    if (motor.stiffness > 0 || motor.damping > 0) bound.spring = motor;
 }
 
 /// The step that the impulses of the step before speak for.
@@ -40,27 +41,38 @@ void recall(JointBound& bound, const SolverJoint& joint) {
     if (has_upper && kept(bound.upper_slot) < 0) bound.step = BoundStep::Upper;
 }
 
+/// What the motor pushes with where a limit keeps the row at that speed.
+double push_at(const JointBound& bound, double speed, double without) {
+    if (bound.slope > 0)
+        return std::clamp(
+            (bound.motor_speed - speed) / bound.slope, -bound.motor_impulse, bound.motor_impulse);
+    return bound.motor_speed > speed   ? bound.motor_impulse
+           : bound.motor_speed < speed ? -bound.motor_impulse
+                                       : without;
+}
+
 /// The motor pushes on with all it has where the limit is slower than it wants to be.
 BoundStep after_lower(const JointBound& bound, double slack) {
-    const double pushing =
-        bound.motor_speed > bound.slowest ? bound.motor_impulse : -bound.motor_impulse;
+    const double pushing = push_at(bound, bound.slowest, -bound.motor_impulse);
     if (bound.impulse >= pushing - slack) return BoundStep::Lower;
+    if (bound.slope > 0) return BoundStep::Driven;
     if (!(bound.motor_impulse > 0) || bound.motor_speed <= bound.slowest)
         return BoundStep::Backward;
     return bound.motor_speed <= bound.fastest ? BoundStep::Driven : BoundStep::Upper;
 }
 
 BoundStep after_upper(const JointBound& bound, double slack) {
-    const double pushing =
-        bound.motor_speed < bound.fastest ? -bound.motor_impulse : bound.motor_impulse;
+    const double pushing = push_at(bound, bound.fastest, bound.motor_impulse);
     if (bound.impulse <= pushing + slack) return BoundStep::Upper;
+    if (bound.slope > 0) return BoundStep::Driven;
     if (!(bound.motor_impulse > 0) || bound.motor_speed >= bound.fastest) return BoundStep::Forward;
     return bound.motor_speed >= bound.slowest ? BoundStep::Driven : BoundStep::Lower;
 }
 
 BoundStep after_driven(const JointBound& bound, double slack) {
-    if (bound.motor_speed < bound.slowest) return BoundStep::Lower;
-    if (bound.motor_speed > bound.fastest) return BoundStep::Upper;
+    const double speed = bound.motor_speed - bound.slope * bound.impulse;
+    if (speed < bound.slowest) return BoundStep::Lower;
+    if (speed > bound.fastest) return BoundStep::Upper;
     if (bound.impulse > bound.motor_impulse + slack) return BoundStep::Forward;
     if (bound.impulse < -bound.motor_impulse - slack) return BoundStep::Backward;
     return BoundStep::Driven;
@@ -69,8 +81,9 @@ BoundStep after_driven(const JointBound& bound, double slack) {
 BoundStep after_constant(const JointBound& bound, double speed) {
     if (speed < bound.slowest - kSameSpeed) return BoundStep::Lower;
     if (speed > bound.fastest + kSameSpeed) return BoundStep::Upper;
-    const bool reached = bound.step == BoundStep::Forward ? speed > bound.motor_speed + kSameSpeed
-                                                          : speed < bound.motor_speed - kSameSpeed;
+    const double beside = bound.slope * bound.motor_impulse - kSameSpeed;
+    const bool reached = bound.step == BoundStep::Forward ? speed > bound.motor_speed - beside
+                                                          : speed < bound.motor_speed + beside;
     return bound.motor_impulse > 0 && reached ? BoundStep::Driven : bound.step;
 }
 
@@ -106,9 +119,22 @@ void JointBound::release() {
     if (at_limit()) step = BoundStep::Forward;
 }
 
+void JointBound::aim(double substep_s) {
+    const double scale = spring.by_mass ? driven : 1;
+    const double stiffness = scale * static_cast<double>(spring.stiffness);
+    const double damping = scale * static_cast<double>(spring.damping);
+    const double per_speed = damping + substep_s * stiffness;  // force
+    slope = per_speed > 0 ? 1 / (substep_s * per_speed) : 0;
+    if (!(slope > 0)) return;
+    motor_speed = (stiffness * (static_cast<double>(spring.position) - position) +
+                   damping * static_cast<double>(spring.target)) /
+                  per_speed;
+}
+
 void JointBound::before_motion(double substep_s) {
     impulse = 0;
     eased = false;
+    aim(substep_s);
     slowest = std::min((lower - position) / substep_s, kPush_mps);
     fastest = std::max((upper - position) / substep_s, -kPush_mps);
 }
@@ -120,7 +146,7 @@ void JointBound::after_motion(double substep_s) {
 
 void JointBound::start_motor(double speed) {
     if (step != BoundStep::Driven) return;
-    const double wanted = mass * (motor_speed - speed);
+    const double wanted = mass * (motor_speed - speed) / (1 + mass * slope);
     if (std::abs(wanted) <= motor_impulse) return;
     step = wanted > 0 ? BoundStep::Forward : BoundStep::Backward;
 }

@@ -2,7 +2,8 @@
 //
 // A row's impulse as a function of its speed rises in steps: at the lower limit as much as it
 // takes, below the motor's speed all the motor has, at that speed as much as it takes, above it
-// all against it, at the upper limit as much as it takes. A row is on one of those steps.
+// all against it, at the upper limit as much as it takes. A row is on one of those steps. Of a motor with stiffness or
+// damping the middle step slopes: its impulse falls as its speed rises.
 #pragma once
 
 #include "engine/physics/dynamics/joint/joint_topology.h"
@@ -36,6 +37,10 @@ struct JointBound {
     double upper{std::numeric_limits<double>::infinity()};
     double motor_speed{std::numeric_limits<double>::infinity()};  ///< infinite: no motor
     double motor_impulse{0};                                      ///< at most, in a sub-step
+    JointMotor spring{};  ///< the motor, if it has stiffness or damping
+    double slope{0};      ///< of that motor: how much slower than motor_speed it is, by impulse
+    double driven{
+        1};  ///< of one by mass: what the axis moves with all else of the joint held, kg or kg m2
 
     double mass{0};      ///< impulse by speed, of the row by itself
     double position{0};  ///< at the latest refresh
@@ -50,6 +55,8 @@ struct JointBound {
     bool at_limit() const { return step == BoundStep::Lower || step == BoundStep::Upper; }
     /// The speed to solve for when at_bound().
     double wanted_speed() const;
+    /// Whether it is a row that gives way.
+    bool is_soft() const { return step == BoundStep::Driven && slope > 0; }
     /// The impulse when not.
     double constant_impulse() const;
     /// Where the row is to be after the sub-step's motion, when at_bound().
@@ -59,6 +66,8 @@ struct JointBound {
 
     /// Puts the row between its limits: its position is undefined at the bodies' poses.
     void release();
+    /// What a motor with stiffness or damping aims at in the sub-step that begins, from its position.
+    void aim(double substep_s);
     /// Sets the speeds for the sub-step's motion: passed limits are approached at a bounded speed.
     void before_motion(double substep_s);
     /// Sets the speeds after the motion: what is past a limit only has to stop.

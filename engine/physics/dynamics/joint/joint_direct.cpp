@@ -25,6 +25,11 @@ constexpr int kMostCuts = 5;
 /// Errors below it, m or rad, are rounding.
 constexpr double kNoError = 1e-10;
 
+/// Positions do not follow limits whose push was eased, as along a lever that would be a leap, nor motors that give way.
+bool leaves_positions(const JointBound& bound) {
+    return bound.eased || bound.is_soft();
+}
+
 void bound_corrections(std::uint8_t rows, double substep_s, Vec3d& deviation) {
     for (int i = 0; i < 3; ++i) {
         if (((rows >> i) & 1) != 0) {
@@ -73,6 +78,10 @@ void DirectJoints::assemble(const JointGroup& group,
         }
         if (rows.active != 0b111) mask(own, rows.active);
     }
+    for (const JointBound& bound : group.bounds_of(component)) {
+        if (bound.is_soft() && !rigid_motors_)
+            diagonal(matrix.diagonal[bound.node], bound.row) += bound.slope;
+    }
     matrix.clear_below(component.first_node, component.last_node);
     for (std::uint32_t t = component.first_term; t < component.last_term; ++t) {
         const JointTerm& term = topology.terms[t];
@@ -96,7 +105,8 @@ void DirectJoints::solve_component(JointGroup& group, const JointComponent& comp
     for (int round = 0; round < kMostRounds; ++round) {
         group.push_constant_bounds(bounds);
         for (const JointBound& bound : bounds) {
-            wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+            const double given = bound.is_soft() ? bound.slope * bound.impulse : 0;
+            wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() - given : 0;
         }
         for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
             const JointRows& rows = group.rows[i];
@@ -127,7 +137,7 @@ void DirectJoints::hold_steady_changes(JointGroup& group) {
         taken_.clear();
         for (const JointBody& body : group.bodies)
             taken_.push_back({body.velocity_mps, body.spin_radps});
-        hold_all(group);
+        hold_all_rigidly(group);
         for (std::size_t i = 0; i < taken_.size(); ++i) {
             taken_[i].velocity_mps -= group.bodies[i].velocity_mps;
             taken_[i].spin_radps -= group.bodies[i].spin_radps;
@@ -142,12 +152,23 @@ void DirectJoints::hold_all(JointGroup& group) {
     group.row_solves += 3 * group.rows.size();
 }
 
+/// Motors that give way move their bodies by the speed that they were solved for: nothing beside it is left of what acts
+/// steadily.
+void DirectJoints::hold_all_rigidly(JointGroup& group) {
+    rigid_motors_ = std::ranges::any_of(group.bounds, &JointBound::is_soft);
+    if (!rigid_motors_) return hold_all(group);
+    factor(group);
+    hold_all(group);
+    rigid_motors_ = false;
+    factor(group);
+}
+
 void DirectJoints::hold_second_half(JointGroup& group) {
     const auto taken_of = [&](const JointBody& body) {
         return taken_[static_cast<std::size_t>(&body - group.bodies.data())];
     };
     group.with_motion(taken_of, [&] {
-        hold_all(group);
+        hold_all_rigidly(group);
         for (std::size_t i = 0; i < taken_.size(); ++i)
             taken_[i] = {group.bodies[i].velocity_mps, group.bodies[i].spin_radps};
     });
@@ -162,8 +183,8 @@ void DirectJoints::correct_positions(JointGroup& group, StiffSprings& springs) {
     for (JointBody& body : group.bodies) body.note_momentum();
     hold_positions(group);
     hold_springs(group, springs);
-    const bool eased = std::ranges::any_of(group.bounds, &JointBound::eased);
-    if (eased) leave_eased(group);
+    const bool any_left = std::ranges::any_of(group.bounds, leaves_positions);
+    if (any_left) leave_positions(group);
     converge(group);
     if (group.any_residual) {
         // No speed comes of this: it would be given back at another pose, as energy.
@@ -178,7 +199,7 @@ void DirectJoints::correct_positions(JointGroup& group, StiffSprings& springs) {
     }
     release_springs(group, springs);
     for (const JointBound& bound : group.bounds) {
-        if (bound.eased) group.set_active(bound);
+        if (leaves_positions(bound)) group.set_active(bound);
     }
     for (JointBody& body : group.bodies) {
         body.update_inertia();
@@ -253,11 +274,11 @@ void DirectJoints::hold_positions(JointGroup& group) {
     }
 }
 
-/// Positions do not follow limits whose push was eased: along a lever that would be a leap.
-void DirectJoints::leave_eased(JointGroup& group) {
+void DirectJoints::leave_positions(JointGroup& group) {
     for (const JointBound& bound : group.bounds) {
         std::uint8_t& active = group.rows[bound.node].active;
-        if (bound.eased) active = static_cast<std::uint8_t>(active & ~(1U << bound.row));
+        if (leaves_positions(bound))
+            active = static_cast<std::uint8_t>(active & ~(1U << bound.row));
     }
     factor_positions(group);
 }

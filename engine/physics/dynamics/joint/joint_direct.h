@@ -50,10 +50,11 @@ private:
     void factor(const JointGroup& group, BlockLdlt& matrix);
     void push_solution(JointGroup& group, const JointComponent& component);
     void hold_all(JointGroup& group);
+    void hold_all_rigidly(JointGroup& group);
     void hold_positions(JointGroup& group);
     void hold_springs(JointGroup& group, const StiffSprings& springs);
     void release_springs(JointGroup& group, StiffSprings& springs);
-    void leave_eased(JointGroup& group);
+    void leave_positions(JointGroup& group);
     BlockLdlt& position_matrix();
     void factor_positions(const JointGroup& group) { factor(group, position_matrix()); }
     double gather_errors(const JointGroup& group);
@@ -82,6 +83,7 @@ private:
     std::vector<Vec3d> bias_;            // of stiff springs, by node
     bool springs_factored_{false};       // with all of them, at the rows' latest refresh
     bool holds_springs_{false};          // positions are solved with unresolved springs' rows
+    bool rigid_motors_{false};           // ... while steady changes are held
 };
 
 }  // namespace plumbline::physics

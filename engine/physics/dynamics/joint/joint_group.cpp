@@ -1,6 +1,7 @@
 #include "engine/physics/dynamics/joint/joint_group.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::physics {
 namespace {
@@ -10,6 +11,26 @@ constexpr double kSmallError = 1e-5;
 
 /// Rounds in which all bounds on a wrong step change at once; then one by one.
 constexpr int kRoundsOfAll = 4;
+
+/// Of a body about an axis through a point of it; endless where nothing moves it.
+double moment_about(const JointBody& body, const Vec3d& axis, const Vec3d& arm) {
+    if (!body.movable) return std::numeric_limits<double>::infinity();
+    const Vec3d own = body.axes.transposed_times(axis);
+    const Vec3d beside = arm - axis * glm::dot(axis, arm);
+    return glm::dot(body.moments, own * own) + glm::dot(beside, beside) / body.own_inverse_mass;
+}
+
+/// What a hinge turns or a slider moves, of two bodies that the rest of the joint holds.
+double driven_mass(const JointRows& row,
+                   const SolverJoint& joint,
+                   std::span<const JointBody> bodies) {
+    const JointBody& a = bodies[row.a];
+    const JointBody& b = bodies[row.b];
+    if (row.kind == NodeKind::Across) return 1 / (a.own_inverse_mass + b.own_inverse_mass);
+    const Vec3d axis = row.angular_b.row[2];
+    return 1 / (1 / moment_about(a, axis, a.axes * joint.anchor_in_a) +
+                1 / moment_about(b, axis, b.axes * joint.anchor_in_b));
+}
 
 /// Position and mass of a bound at the bodies' poses. One without a position is out of the solve.
 void read_bound(JointBound& bound, JointGroup& group) {
@@ -23,6 +44,8 @@ void read_bound(JointBound& bound, JointGroup& group) {
     const Symmetric3 inverse = own_coupling(row, group.bodies);
     const double own = bound.row == 0 ? inverse.xx : bound.row == 1 ? inverse.yy : inverse.zz;
     bound.mass = own > 0 ? 1 / own : 0;
+    if (bound.spring.by_mass)
+        bound.driven = driven_mass(row, group.joints[bound.joint_index], group.bodies);
 }
 
 /// What the rows' errors are held at; nothing where they are small or bounded.
@@ -68,6 +91,7 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
     for (JointBound& bound : bounds) {
         read_bound(bound, *this);
         bound.after_motion(substep_s);
+        bound.aim(substep_s);
         bound.start_motor(rows[bound.node].speeds(bodies)[bound.row]);
         set_active(bound);
     }
@@ -109,6 +133,13 @@ std::span<JointBound> JointGroup::bounds_of(const JointComponent& component) {
     return {first, last};
 }
 
+std::span<const JointBound> JointGroup::bounds_of(const JointComponent& component) const {
+    const auto first =
+        std::ranges::lower_bound(bounds, component.first_node, {}, &JointBound::node);
+    const auto last = std::ranges::lower_bound(bounds, component.last_node, {}, &JointBound::node);
+    return {first, last};
+}
+
 void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
     for (JointBound& bound : component_bounds) {
         if (bound.at_bound() || bound.impulse == bound.constant_impulse()) continue;
@@ -121,7 +152,8 @@ void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
 }
 
 bool JointGroup::pushes_steadily() {
-    if (std::ranges::any_of(bounds, &JointBound::drives)) return true;
+    const auto drives = [](const JointBound& bound) { return bound.drives() || bound.is_soft(); };
+    if (std::ranges::any_of(bounds, drives)) return true;
     if (std::ranges::none_of(bounds, &JointBound::at_limit)) return false;
     bool is_far = false;
     with_motion(steady_change_of, [&] {

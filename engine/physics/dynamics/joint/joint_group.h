@@ -69,11 +69,12 @@ struct JointGroup {
     /// Adds the bound's row to the solve, or removes it, as the bound's step asks for.
     void set_active(const JointBound& bound);
     std::span<JointBound> bounds_of(const JointComponent& component);
+    std::span<const JointBound> bounds_of(const JointComponent& component) const;
     /// Gives rows that have all of a constant impulse, or none of it, what they lack.
     void push_constant_bounds(std::span<JointBound> component_bounds);
     /// Within with_motion(): what motors that push with all they have change all through the sub-step; nothing is counted.
     void push_constants();
-    /// Whether such a motor pushes, or what acts steadily would take a row off its limit further than a position step comes back.
+    /// Whether such a motor pushes, or one that gives way, or what acts steadily would take a row off its limit further than a position step comes back.
     bool pushes_steadily();
     /// Whether a bound was on a wrong step and is on another now. In late rounds only the first wrong
     /// one changes, so that none chase each other.

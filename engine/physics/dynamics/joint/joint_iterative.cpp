@@ -122,7 +122,8 @@ void IterativeJoints::solve_bound(JointGroup& group, JointBound& bound) {
     const double at_upper = bound.impulse + bound.mass * (bound.fastest - speed);
     double wanted = 0;
     if (bound.motor_impulse > 0) {
-        wanted = std::clamp(bound.impulse + bound.mass * (bound.motor_speed - speed),
+        const double missing = bound.motor_speed - bound.slope * bound.impulse - speed;
+        wanted = std::clamp(bound.impulse + bound.mass * missing / (1 + bound.mass * bound.slope),
                             -bound.motor_impulse,
                             bound.motor_impulse);
     }

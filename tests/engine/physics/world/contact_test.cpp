@@ -50,5 +50,50 @@ TEST(SmallThings, OneCentimetreHullRestsOnABox) {
     EXPECT_NEAR(test.at(die).y, 0.005, 0.0002);
 }
 
+/// Two cubes of 0.2 m, 0.6 m apart along z, as one body.
+CompoundShape two_cubes() {
+    const BoxShape cube{.size_m = {0.2_r, 0.2_r, 0.2_r}};
+    return {.children = {{.shape = cube, .body_from_child = {.position = {0, 0, -0.3_r}}},
+                         {.shape = cube, .body_from_child = {.position = {0, 0, 0.3_r}}}}};
+}
+
+TEST(PartTraits, ASledOfOneSmoothAndOneRoughRunnerSlowsDownByHalfItsWeight) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    const Material smooth{};
+    const Material rough{.friction = 0.2_r, .friction_rule = CombineRule::Maximum};
+    const BodyId sled = test.add(two_cubes(),
+                                 {0, 0.1_r, 0},
+                                 {.kind = BodyKind::Dynamic,
+                                  .velocity_mps = {2, 0, 0},
+                                  .friction = 9,
+                                  .parts = {{.material = smooth}, {.material = rough}}});
+    test.run(0.1);
+    EXPECT_LT(test.world.state(sled).angular_velocity_radps.y, -0.1_r)
+        << "it turns to the rough side";
+    EXPECT_NEAR(test.velocity(sled).x, 2 - 0.5 * 0.5 * 9.81 * 0.1, 0.01)
+        << "the rough one: the larger coefficient, which is the ground's 0.5";
+}
+
+TEST(PartTraits, APartTouchesWhatItsFilterSaysHoweverFast) {
+    constexpr std::uint32_t kWall = 2;
+    const PartTraits through{.filter = {.group = 4, .collides_with = ~kWall}};
+    const PartTraits stops{.filter = {.group = 4}};
+    for (const bool any : {false, true}) {
+        TestWorld test(in_small_steps());
+        test.add(BoxShape{.size_m = {0.05_r, 9, 9}},
+                 {2, 0, 0},
+                 {.kind = BodyKind::Static, .filter = {.group = kWall}});
+        const BodyId body = test.add(two_cubes(),
+                                     {0, 0, 0},
+                                     {.kind = BodyKind::Dynamic,
+                                      .velocity_mps = {200, 0, 0},
+                                      .filter = {.group = 4},
+                                      .parts = {through, any ? stops : through}});
+        test.run(0.1);
+        EXPECT_EQ(test.at(body).x > 2.1, !any);
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::physics

@@ -8,18 +8,6 @@
 namespace plumbline::scene {
 namespace {
 
-TEST(EntityBuilder, HasABitForEachOfThirtyTwoGroups) {
-    test::Running run(test::scene_of({}));
-    EntityBuilder builder(*run);
-    EXPECT_EQ(*builder.group_bit("default"), 1U);
-    for (unsigned i = 1; i < 32; ++i) EXPECT_EQ(*builder.group_bit(std::to_string(i)), 1U << i);
-    EXPECT_EQ(*builder.group_bit("7"), 1U << 7U) << "the same name has the same bit";
-    const auto refused = builder.group_bit("more");
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().message,
-              "group \"more\" is one too many: there can be 31 beside \"default\"");
-}
-
 TEST(EntityBuilder, LeavesNothingOfWhatItCannotBuild) {
     test::Running run(test::scene_of({}));
     EntityBuilder builder(*run);

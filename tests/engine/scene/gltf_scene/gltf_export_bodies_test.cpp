@@ -99,6 +99,31 @@ TEST(GltfExportBodies, KeepsFactorsRulesAndFilters) {
         << "it fell through the ground";
 }
 
+TEST(GltfExportBodies, KeepsMaterialsAndFiltersOfParts) {
+    EntityDescription body = box("body", {0, 2, 0}, {1, 1, 1});
+    const physics::BoxShape cube{.size_m = {0.5_r, 0.5_r, 0.5_r}};
+    body.body->shape = physics::ShapeDef{physics::CompoundShape{
+        .children = {{.shape = cube, .body_from_child = {.position = {0, -1, 0}}},
+                     {.shape = cube, .body_from_child = {.position = {0, 1, 0}}}}}};
+    body.body->parts.push_back({.friction = 0.25_r, .group = "ghost", .collides_with = {"ghost"}});
+    body.body->parts.push_back({.restitution = 0.75_r,
+                                .restitution_rule = physics::CombineRule::Minimum,
+                                .group = "solid"});
+    RoundTrip trip(scene_of({body, ground()}));
+    ASSERT_NE(trip.after, nullptr);
+    const std::vector<BodyDescription>& parts = trip.description->entities[0].body->parts;
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].friction, 0.25_r);
+    EXPECT_EQ(parts[1].restitution, 0.75_r);
+    EXPECT_EQ(parts[1].restitution_rule, physics::CombineRule::Minimum);
+    EXPECT_LT(trip.apart_m(120), 1e-4);
+    EXPECT_LT((*trip.after)
+                  ->physics.state((*trip.after)->moving_bodies()[0].body)
+                  .world_from_body.position.y,
+              Real{0})
+        << "only its upper part is held by the ground";
+}
+
 // A level is made by freezing things where they are: they stand in the file.
 TEST(GltfExportBodies, WritesWhatIsFrozenAsStanding) {
     Running run(scene_of({ball("a", {0, 5, 0}, 0.5_r), ball("b", {3, 5, 0}, 0.5_r)}));

@@ -34,6 +34,8 @@ TEST(GltfExportJoints, KeepsJoints) {
     hang("ball", 0, JointKind::BallAndSocket);
     hang("hinge", 5, JointKind::Hinge).limits = std::array{-0.5_r, 0.4_r};
     hang("motor", 10, JointKind::Hinge).motor = physics::JointMotor{.target = 2, .max = 500};
+    hang("servo", 45, JointKind::Hinge).motor = physics::JointMotor{
+        .target = 1, .max = 1e3_r, .stiffness = 300, .damping = 20, .position = 0.5_r};
     JointDescription& slider = hang("slider", 15, JointKind::Slider);
     slider.axis = {0.6_r, 0.8_r, 0};
     slider.limits = std::array{-0.5_r, Real{1}};

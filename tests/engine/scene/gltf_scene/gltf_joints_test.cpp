@@ -79,13 +79,13 @@ TEST(GltfJoints, WithTheWorldAtTheirOtherEndTurnTheOtherWay) {
     PhysicsFile file;
     const std::size_t frame = file.add_node({{"name", "wall"}});
     const std::size_t ball = file.add_ball("a", {0, 0, 0}, {{"mass", 1}});
-    const std::size_t joint =
-        file.add("physicsJoints",
-                 {{"limits",
-                   {locked("linearAxes", {0, 1, 2}),
-                    locked("angularAxes", {1, 2}),
-                    limit("angularAxes", {0}, -0.5, 1)}},
-                  {"drives", {{{"type", "angular"}, {"axis", 0}, {"velocityTarget", 2}}}}});
+    const std::size_t joint = file.add(
+        "physicsJoints",
+        {{"limits",
+          {locked("linearAxes", {0, 1, 2}),
+           locked("angularAxes", {1, 2}),
+           limit("angularAxes", {0}, -0.5, 1)}},
+         {"drives", {{{"type", "angular"}, {"axis", 0}, {"velocityTarget", 2}, {"damping", 4}}}}});
     file.add_child(
         ball,
         file.add_body(
@@ -177,11 +177,33 @@ TEST(GltfJoints, ThatWeDoNotHaveAreLeftOutAndSaidSo) {
         EXPECT_NE(read.said().find("hold: the joint is left out"), std::string::npos)
             << read.said();
     }
-    const ReadGltf placed =
-        jointed({locked("linearAxes", {0, 1, 2}), locked("angularAxes", {0, 1})},
-                {{{"type", "angular"}, {"axis", 2}, {"positionTarget", 1}, {"stiffness", 5}}});
-    EXPECT_FALSE(only(placed).motor);
-    EXPECT_NE(placed.said().find("a drive to a position is left out"), std::string::npos);
+}
+
+TEST(GltfJoints, WithDrivesAreMotorsAndSprings) {
+    const auto driven = [](Json drive) {
+        drive["type"] = "angular";
+        drive["axis"] = 2;
+        return only(jointed({locked("linearAxes", {0, 1, 2}), locked("angularAxes", {0, 1})},
+                            {std::move(drive)}))
+            .motor;
+    };
+    const auto spring = driven({{"positionTarget", 1},
+                                {"stiffness", 5},
+                                {"damping", 2},
+                                {"maxForce", 7},
+                                {"mode", "acceleration"}});
+    ASSERT_TRUE(spring);
+    EXPECT_EQ(spring->stiffness, Real{5});
+    EXPECT_EQ(spring->damping, Real{2});
+    EXPECT_EQ(spring->position, Real{1});
+    EXPECT_EQ(spring->max, Real{7});
+    EXPECT_TRUE(spring->by_mass);
+    const auto motor = driven({{"velocityTarget", 3}, {"damping", 1e6}});
+    ASSERT_TRUE(motor);
+    EXPECT_EQ(motor->target, Real{3});
+    EXPECT_EQ(motor->damping, Real{0}) << "so damped, it holds its speed";
+    EXPECT_FALSE(driven({{"velocityTarget", 3}}))
+        << "without stiffness and damping it gives no force";
 }
 
 TEST(GltfJoints, NeedABodyThatMoves) {

@@ -17,6 +17,9 @@ TEST(GltfScene, StandsOnItsOwnGroundOrOnTheStage) {
     ASSERT_TRUE(alone.scene.ok()) << alone.said();
     EXPECT_TRUE(has(*alone, "ground"));
     EXPECT_FALSE(alone->shows_model) << "things in it move";
+    PhysicsFile weightless;
+    weightless.add_ball("ball", {0, 5, 0}, {{"gravityFactor", 0}});
+    EXPECT_FALSE(has(*weightless.read(), "ground")) << "nothing falls";
     file.add_body("floor", {0, 0, 0}, {{"collider", PhysicsFile::collider(file.add_box(9, 1, 9))}});
     const ReadGltf floored = file.read();
     EXPECT_FALSE(has(*floored, "ground"));

@@ -30,7 +30,7 @@ b = "chain.0.0.0"
 anchor_m = [0, 10, 1]
 axis = [0, 2, 0]
 limits = [-90, 180]
-motor = { target = 3.0, max = 20 }
+motor = { target = 3.0, max = 20, stiffness = 40, damping = 5, position = 0.5 }
 [[joint]]
 kind = "slider"
 a = "chain.0.0.1"
@@ -77,6 +77,9 @@ rest_length_m = 1.5
     EXPECT_NEAR((*joints[1].limits)[1], kPi, kSlack);
     EXPECT_EQ(joints[1].motor->target, Real{3});
     EXPECT_EQ(joints[1].motor->max, Real{20});
+    EXPECT_EQ(joints[1].motor->stiffness, Real{40});
+    EXPECT_EQ(joints[1].motor->damping, Real{5});
+    EXPECT_EQ(joints[1].motor->position, 0.5_r);
     EXPECT_EQ((*joints[2].limits)[1], Real{2});  // metres stay metres
     EXPECT_EQ(joints[4].kind, JointKind::Cone);
     EXPECT_NEAR((*joints[4].limits)[1], kPi / 4, kSlack);

@@ -21,6 +21,10 @@ struct Symmetric3 {
     }
 };
 
+inline double& diagonal(Symmetric3& s, int i) {
+    return i == 0 ? s.xx : i == 1 ? s.yy : s.zz;
+}
+
 /// A 3x3 matrix by its rows.
 struct Block3 {
     std::array<Vec3d, 3> row{};

@@ -141,6 +141,86 @@ TEST_P(JointBoundsAtSubsteps, SliderMotorMovesAtItsSpeedUpwards) {
     EXPECT_NEAR(rig.joints[0].total_impulse_Ns.y / kFrame_s, 2 * kG, 1e-3);
 }
 
+/// A body of 2 kg on an upright slider.
+struct Lift : JointRig {
+    std::uint32_t body{0};
+
+    explicit Lift(const JointMotor& motor, JointDef slider = {}) {
+        kick = Kick::Steady;
+        body = add_body(2, Vec3d(0.1), {0, 0, 0});
+        slider.kind = JointKind::Slider;
+        slider.axis_world = {0, 1, 0};
+        slider.motor = motor;
+        add_joint(body, 0, slider);
+    }
+    double height() { return position(body).y; }
+    double force_N() const { return joints[0].total_impulse_Ns.y / kFrame_s; }
+};
+
+TEST_P(JointBoundsAtSubsteps, MotorWithStiffnessIsASpringAtRest) {
+    for (const Real stiffness : {Real{50}, Real{1e4}, Real{1e7}}) {
+        Lift lift({.max = 1e6_r, .stiffness = stiffness, .damping = 20, .position = 1});
+        lift.run(20, kFrame_s, GetParam());
+        EXPECT_NEAR(lift.height(), 1 - 2 * kG / static_cast<double>(stiffness), 1e-4) << stiffness;
+        EXPECT_NEAR(lift.force_N(), 2 * kG, 1e-2);
+    }
+}
+
+TEST_P(JointBoundsAtSubsteps, MotorWithDampingComesToItsSpeedAsItsDampingSays) {
+    Lift lift({.target = 3, .max = 1e6_r, .damping = 4});
+    lift.gravity = {0, 0, 0};
+    lift.run(0.5, kFrame_s, GetParam());
+    // m v' = d (3 - v), by implicit Euler within a hundredth.
+    EXPECT_NEAR(lift.velocity(lift.body).y, 3 * (1 - std::exp(-4 * 0.5 / 2)), 0.02);
+}
+
+TEST_P(JointBoundsAtSubsteps, SpringOfAMotorSwingsAtItsFrequency) {
+    Lift lift({.max = 1e6_r, .stiffness = 8, .position = 1});
+    lift.gravity = {0, 0, 0};
+    double before = 0;
+    double quarter_s = 0;
+    while (lift.height() < 1 && lift.time_s < 2) {
+        before = lift.height();
+        lift.step(kFrame_s, GetParam());
+        quarter_s = lift.time_s - kFrame_s * (lift.height() - 1) / (lift.height() - before);
+    }
+    EXPECT_NEAR(quarter_s, std::acos(-1) / 4, 0.01) << "of a period of pi s: w = 2 rad/s";
+}
+
+TEST_P(JointBoundsAtSubsteps, SpringOfAMotorGivesNoMoreThanItsMost) {
+    Lift lift({.max = 15, .stiffness = 1000, .damping = 10, .position = 1});
+    lift.run(0.5, kFrame_s, GetParam());
+    EXPECT_NEAR(lift.force_N(), 15, 1e-3);
+    EXPECT_NEAR(lift.velocity(lift.body).y, (15 / 2.0 - kG) * 0.5, 1e-3);
+}
+
+TEST_P(JointBoundsAtSubsteps, SpringOfAMotorPressesOnALimitAndComesOff) {
+    Lift lift({.max = 1e4_r, .stiffness = 1000, .damping = 50, .position = 2},
+              {.limits = std::array<Real, 2>{-1, 1}});
+    lift.run(3, kFrame_s, GetParam());
+    EXPECT_NEAR(lift.height(), 1, 1e-5);
+    EXPECT_NEAR(lift.force_N(), 2 * kG, 1e-2) << "limit and spring together";
+    lift.joints[0].motor->position = 0;
+    lift.run(10, kFrame_s, GetParam());
+    EXPECT_NEAR(lift.height(), -2 * kG / 1000, 1e-4);
+}
+
+TEST_P(JointBoundsAtSubsteps, MotorByMassIsTheSameForEveryMass) {
+    JointRig rig;
+    rig.gravity = {0, 0, 0};
+    for (const double moment : {0.5, 50.0}) {
+        const std::uint32_t wheel = rig.add_body(1, Vec3d(moment), {moment, 0, 0});
+        rig.add_joint(
+            wheel,
+            0,
+            {.kind = JointKind::Hinge,
+             .axis_world = {0, 1, 0},
+             .motor = JointMotor{.target = 2, .max = 1e6_r, .damping = 1, .by_mass = true}});
+        rig.run(1, kFrame_s, GetParam());
+        EXPECT_NEAR(rig.spin(wheel).y, 2 * (1 - std::exp(-1.0)), 0.01) << moment;
+    }
+}
+
 TEST_P(JointBoundsAtSubsteps, ConeAndTwistAreKept) {
     JointRig rig;
     const std::uint32_t body = rig.add_body(1, {0.01, 0.02, 0.02}, {1, 0, 0});
