@@ -52,12 +52,15 @@ public:
     void strike(std::size_t point, const Vec3d& impulse_Ns);
     /// Takes hold of points in the middle of play, as a hand does; those that pins hold are theirs. In place of what was held before.
     void grip(std::span<const std::uint32_t> points);
-    bool is_gripped() const { return !grip_.points.empty(); }
+    bool is_gripped() const { return !grip_.points.empty() && !grip_.is_frost; }
     /// Where what is gripped goes to within the coming step, all of it alike.
     void lead_grip(const Vec3d& by_m);
     /// What it pulled the hand by in the latest step.
     const Vec3d& grip_Ns() const { return grip_.pulled_Ns; }
     void let_go();
+    /// Holds all of it where it is, or lets go. A hand that takes hold of what is frozen thaws it.
+    void set_frozen(bool frozen);
+    bool is_frozen() const { return grip_.is_frost; }
     /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
     void begin_step(PhysicsWorld& world, double step_s);
     bool is_asleep() const { return asleep_; }
@@ -81,11 +84,12 @@ private:
         Vec3d in_mass_m{0, 0, 0};  ///< in the mass frame of what holds it; world
         std::size_t near{0};       ///< its number among the bodies near, in this step
     };
-    /// What a hand holds.
+    /// What a hand holds, or frost.
     struct Grip {
         std::vector<std::uint32_t> points;
         std::vector<Vec3d> places_m;  ///< where it holds them
         Vec3d pulled_Ns{0, 0, 0};     ///< in the step
+        bool is_frost{false};         ///< not a hand's: it is frozen
 
         void serialize(Archive& archive);
     };

@@ -89,6 +89,8 @@ private:
     void charge_and_throw(scene::Simulation& simulation, const Actions& actions);
     void launch(scene::Simulation& simulation, Real charge);
     void hold(scene::Simulation& simulation, const Actions& actions);
+    /// In the hand, or looked at. Null: it was said why.
+    ecs::Entity thing_to(std::string_view verb, const scene::Simulation& simulation);
     void freeze(scene::Simulation& simulation);
     void tie(scene::Simulation& simulation, const Actions& actions);
     void remove_looked_at(scene::Simulation& simulation);

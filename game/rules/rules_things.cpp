@@ -55,6 +55,23 @@ std::optional<scene::PlaqueReading> plaque_before(const scene::Simulation& simul
     return read;
 }
 
+struct Weighed {
+    ecs::Entity entity{};
+    double mass_kg{0};
+};
+
+/// What hands could take hold of.
+std::optional<Weighed> weighed_in_sight(const scene::Simulation& simulation, const Aim& aim) {
+    const auto looked = looked_at(simulation, aim, Grab::kReach_m);
+    const Real reach_m = looked ? looked->distance_m : aim.reach_m(Grab::kReach_m);
+    if (const auto soft = soft_looked_at(simulation, aim, static_cast<double>(reach_m)))
+        return Weighed{soft->entity, soft->mass_kg};
+    if (!looked || !simulation.registry.alive(looked->entity)) return {};
+    const physics::BodyState state = simulation.physics.state(looked->body);
+    if (state.kind != physics::BodyKind::Dynamic) return {};
+    return Weighed{looked->entity, static_cast<double>(state.mass.mass_kg)};
+}
+
 }  // namespace
 
 void PlaygroundGame::begin_goal(const scene::Simulation& simulation) {
@@ -163,20 +180,31 @@ void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions)
     if (const auto why = grab_.pull(simulation, aim())) say(*why);
 }
 
+ecs::Entity PlaygroundGame::thing_to(std::string_view verb, const scene::Simulation& simulation) {
+    if (simulation.registry.alive(grab_.entity())) return grab_.entity();
+    const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
+    const double reach_m = static_cast<double>(looked ? looked->distance_m : kRemoveReach_m);
+    if (const auto soft = soft_looked_at(simulation, aim(), reach_m)) return soft->entity;
+    const bool movable = looked && simulation.registry.alive(looked->entity) &&
+                         simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic;
+    if (movable) return is_guarded(looked->entity) ? ecs::Entity{} : looked->entity;
+    say(fmt::format("nothing to {}", verb));
+    return {};
+}
+
 void PlaygroundGame::freeze(scene::Simulation& simulation) {
-    physics::PhysicsWorld& world = simulation.physics;
-    physics::BodyId body{};
-    if (grab_.holding()) {
-        body = grab_.body();
-        grab_.release(simulation);
-    } else if (const auto looked = looked_at(simulation, aim(), kRemoveReach_m)) {
-        if (is_guarded(looked->entity)) return;
-        body = looked->body;
+    const ecs::Entity entity = thing_to("freeze", simulation);
+    if (!simulation.registry.alive(entity)) return;
+    if (grab_.holding()) grab_.release(simulation);
+    bool freezes = true;
+    if (physics::Deformable* soft = deformable_of(simulation, entity)) {
+        freezes = !soft->is_frozen();
+        soft->set_frozen(freezes);
+    } else {
+        const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
+        freezes = !simulation.physics.state(body).frozen;
+        simulation.physics.set_frozen(body, freezes);
     }
-    if (!world.contains(body) || world.state(body).kind != physics::BodyKind::Dynamic)
-        return say("nothing to freeze");
-    const bool freezes = !world.state(body).frozen;
-    world.set_frozen(body, freezes);
     say(freezes ? "frozen" : "unfrozen");
 }
 
@@ -190,16 +218,9 @@ void PlaygroundGame::tie(scene::Simulation& simulation, const Actions& actions) 
 }
 
 void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
-    ecs::Entity entity = grab_.entity();
-    if (!simulation.registry.alive(entity)) {
-        const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
-        const bool movable =
-            looked && simulation.registry.alive(looked->entity) &&
-            simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic;
-        if (!movable) return say("nothing to delete");
-        entity = looked->entity;
-        if (is_guarded(entity)) return;
-    }
+    const ecs::Entity entity = thing_to("delete", simulation);
+    if (!simulation.registry.alive(entity)) return;
+    if (grab_.holding()) grab_.release(simulation);
     destroy(simulation, entity);
     forget_gone(simulation);
 }
@@ -209,13 +230,10 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     content.crosshair = mode_ != MoveMode::Orbit && !views_scene() && !pointer_;
     if (keys_.throw_s >= 0) content.charge = charge_after(keys_.throw_s);
     if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
-    const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
-    if (looked && simulation.registry.alive(looked->entity) &&
-        simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic) {
-        const Real mass_kg = simulation.physics.state(looked->body).mass.mass_kg;
-        const std::string words = words_of(simulation.registry.get<scene::Name>(looked->entity));
+    if (const auto weighed = weighed_in_sight(simulation, aim())) {
+        const std::string words = words_of(simulation.registry.get<scene::Name>(weighed->entity));
         content.looking_at =
-            fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
+            fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", weighed->mass_kg);
     }
     content.plaque = plaque_before(simulation, aim());
     content.use = use_words(simulation, use_at(simulation, aim()));

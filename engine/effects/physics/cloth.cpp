@@ -11,7 +11,7 @@ public:
     explicit Cloth(scene::Simulation& simulation)
         : DeformableEffect(simulation,
                            "cloth",
-                           simulation.cloths(),
+                           &scene::Simulation::cloths,
                            simulation.description().forces.fidelity.cloth) {}
 };
 

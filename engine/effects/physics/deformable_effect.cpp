@@ -46,9 +46,9 @@ using physics::BodyId;
 
 DeformableEffect::DeformableEffect(scene::Simulation& simulation,
                                    std::string_view name,
-                                   std::span<scene::SceneDeformable> all,
+                                   List list,
                                    scene::Fidelity fidelity)
-    : simulation_(simulation), name_(name), all_(all), fidelity_(fidelity) {
+    : simulation_(simulation), name_(name), list_(list), fidelity_(fidelity) {
     simulation.force_fields.add(name_, *this);
     set_fluids();
 }
@@ -67,7 +67,7 @@ void DeformableEffect::set_fluids() {
     const bool is_stirred = std::ranges::any_of(simulation_.waters, [](const scene::SceneWater& w) {
         return w.waves && !w.waves->is_asleep();
     });
-    for (scene::SceneDeformable& each : all_) {
+    for (scene::SceneDeformable& each : all()) {
         const bool blows = air.blows() && each.body->body().feels_air();
         if (each.body->is_asleep() && !blows && !is_stirred) continue;
         set_fluids(*each.body, blows ? &air : nullptr, has_water);
@@ -96,7 +96,7 @@ void DeformableEffect::set_fluids(physics::Deformable& body, const Air* air, boo
 void DeformableEffect::before_step(scene::Simulation& simulation) {
     set_fluids();
     pushed_.clear();
-    for (scene::SceneDeformable& each : all_) {
+    for (scene::SceneDeformable& each : all()) {
         if (!each.body->is_asleep())
             std::ranges::copy(each.body->body().positions_m(), each.before_m.begin());
         each.body->begin_step(simulation.physics, simulation.step_s());
@@ -112,7 +112,7 @@ bool DeformableEffect::acts_on(BodyId body) const {
 
 double DeformableEffect::added_mass_kg(BodyId body) const {
     double sum = 0;
-    for (const scene::SceneDeformable& each : all_) sum += each.body->pinned_kg(body);
+    for (const scene::SceneDeformable& each : all()) sum += each.body->pinned_kg(body);
     return sum;
 }
 
@@ -121,7 +121,7 @@ int DeformableEffect::substeps() const {
 }
 
 void DeformableEffect::list_pairs(std::vector<Pair>& pairs) const {
-    for (const scene::SceneDeformable& each : all_) {
+    for (const scene::SceneDeformable& each : all()) {
         const auto movable = each.body->movable();
         for (std::size_t i = 1; i < movable.size(); ++i) pairs.emplace_back(movable[0], movable[i]);
     }
@@ -130,7 +130,7 @@ void DeformableEffect::list_pairs(std::vector<Pair>& pairs) const {
 void DeformableEffect::act(std::span<physics::BodyInField* const> bodies,
                            const physics::FieldTime& time) {
     lap_.start();
-    for (scene::SceneDeformable& each : all_) {
+    for (scene::SceneDeformable& each : all()) {
         const auto movable = each.body->movable();
         const bool is_here =
             !movable.empty() &&
@@ -141,7 +141,7 @@ void DeformableEffect::act(std::span<physics::BodyInField* const> bodies,
 }
 
 void DeformableEffect::after_step(scene::Simulation& simulation, const scene::Game&) {
-    for (scene::SceneDeformable& each : all_) {
+    for (scene::SceneDeformable& each : all()) {
         each.body->end_step(simulation.physics);
         work_.calls += each.body->substeps();
     }
@@ -149,17 +149,15 @@ void DeformableEffect::after_step(scene::Simulation& simulation, const scene::Ga
 }
 
 void DeformableEffect::warn_of_softness() {
-    said_.resize(all_.size(), false);
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-        const double share = all_[i].body->body().stiffness_share();
-        if (said_[i] || share >= kStiffEnough) continue;
-        said_[i] = true;
+    for (const scene::SceneDeformable& each : all()) {
+        const double share = each.body->body().stiffness_share();
+        if (share >= kStiffEnough || !said_.insert(each.entity).second) continue;
         simulation_.warnings.push_back(
             fmt::format("{} {}: the sub-steps allowed bear {:.0f} % of its stiffness: it is "
                         "softer; make it of larger cells, or set "
                         "[effects.{}] fidelity = \"precise\"",
                         name_,
-                        all_[i].name,
+                        each.name,
                         share * 100,
                         name_));
     }
@@ -168,14 +166,13 @@ void DeformableEffect::warn_of_softness() {
 void DeformableEffect::extract(const scene::Simulation& simulation,
                                const scene::ViewPoint& view,
                                render::RenderFrame&) {
-    drawn_.resize(all_.size());
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-        const bool rests = all_[i].body->is_asleep();
-        Drawn& drawn = drawn_[i];
+    for (const scene::SceneDeformable& each : all()) {
+        const bool rests = each.body->is_asleep();
+        Drawn& drawn = drawn_[each.entity];
         const bool is_shown = drawn.step == simulation.steps() && drawn.blend == view.blend;
         if (is_shown || (rests && drawn.rests)) continue;
         drawn = {.step = simulation.steps(), .blend = view.blend, .rests = rests};
-        draw(all_[i], static_cast<double>(view.blend));
+        draw(each, static_cast<double>(view.blend));
     }
 }
 

@@ -5,6 +5,8 @@
 #include "engine/effects/effect.h"
 #include "engine/physics/force_field.h"
 
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,10 +19,10 @@ class Air;
 /// While it does not live, they stay as they are.
 class DeformableEffect : public Effect, public physics::ForceField {
 public:
-    /// `all` are there for as long as it lives.
+    using List = std::span<scene::SceneDeformable> (scene::Simulation::*)();
     DeformableEffect(scene::Simulation& simulation,
                      std::string_view name,
-                     std::span<scene::SceneDeformable> all,
+                     List list,
                      scene::Fidelity fidelity);
     ~DeformableEffect() override;
     DeformableEffect(const DeformableEffect&) = delete;
@@ -46,6 +48,7 @@ private:
         Real blend{0};
         bool rests{false};
     };
+    std::span<scene::SceneDeformable> all() const { return (simulation_.*list_)(); }
     void set_fluids();
     void set_fluids(physics::Deformable& body, const Air* air, bool has_water);
     void warn_of_softness();
@@ -53,11 +56,11 @@ private:
 
     scene::Simulation& simulation_;
     std::string name_;
-    std::span<scene::SceneDeformable> all_;
+    List list_;
     scene::Fidelity fidelity_;
     std::vector<physics::BodyId> pushed_;  ///< bodies that they push in this step, by id
-    std::vector<Drawn> drawn_;             ///< by body
-    std::vector<bool> said_;               ///< by body: that it is softer than asked
+    std::map<ecs::Entity, Drawn> drawn_;
+    std::set<ecs::Entity> said_;  ///< that it is softer than asked
     LapTimer lap_;
 };
 

@@ -11,7 +11,7 @@ public:
     explicit Soft(scene::Simulation& simulation)
         : DeformableEffect(simulation,
                            "soft",
-                           simulation.softs(),
+                           &scene::Simulation::softs,
                            simulation.description().forces.fidelity.soft) {}
 };
 

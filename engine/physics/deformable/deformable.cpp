@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace plumbline::physics {
 namespace {
@@ -97,6 +98,13 @@ void Deformable::lead_grip(const Vec3d& by_m) {
 void Deformable::let_go() {
     for (const std::uint32_t point : grip_.points) body_->unpin(point);
     grip_ = {};
+}
+
+void Deformable::set_frozen(bool frozen) {
+    std::vector<std::uint32_t> all(frozen ? body_->positions_m().size() : 0);
+    std::iota(all.begin(), all.end(), 0U);
+    grip(all);
+    grip_.is_frost = frozen;
 }
 
 void Deformable::begin_step(PhysicsWorld& world, double step_s) {
@@ -354,7 +362,7 @@ void Deformable::Load::serialize(Archive& archive) {
 }
 
 void Deformable::Grip::serialize(Archive& archive) {
-    archive(points, places_m, pulled_Ns);
+    archive(points, places_m, pulled_Ns, is_frost);
 }
 
 void Deformable::serialize(Archive& archive) {

@@ -3,6 +3,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/physics/query.h"
 #include "engine/physics/totals.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/fragments.h"
@@ -28,6 +29,20 @@ bool is_below(const std::optional<Real>& height_m, const Vec3& position) {
 bool is_far_out(const Vec3& position) {
     const auto limit_m = static_cast<Real>(limits::kPosition_m);
     return glm::any(glm::greaterThan(glm::abs(position), Vec3{limit_m}));
+}
+
+/// What lay on them or hung from them has to move.
+void wake_round(physics::PhysicsWorld& world, std::span<const Vec3d> points_m) {
+    constexpr double kNear_m = 0.1;
+    Vec3d low = points_m.front();
+    Vec3d high = low;
+    for (const Vec3d& point : points_m) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    for (const physics::BodyId body :
+         physics::bodies_in_box(world, Vec3(low - kNear_m), Vec3(high + kNear_m)))
+        world.wake(body);
 }
 
 }  // namespace
@@ -67,6 +82,7 @@ Simulation::Simulation(SceneDescription description,
         if (known != names_.entities.end() && known->second == entity) {
             names_.entities.erase(known);
         }
+        bodies_.any_destroyed = true;
         ++revision_;
     });
     builder_ = std::make_unique<EntityBuilder>(*this);
@@ -223,6 +239,13 @@ void Simulation::forget_destroyed() {
     std::erase_if(bodies_.moving, [this](const MovingBody& moving) {
         return !registry.alive(moving.entity) || !physics.contains(moving.body);
     });
+    for (auto* list : {&bodies_.cloths, &bodies_.softs}) {
+        std::erase_if(*list, [this](const SceneDeformable& each) {
+            if (registry.alive(each.entity)) return false;
+            wake_round(physics, each.body->body().positions_m());
+            return true;
+        });
+    }
 }
 
 ecs::Entity Simulation::spawn(const EntityDescription& description) {

@@ -33,8 +33,8 @@ public:
     /// Opens the hand when what it holds left the world; else entity() and body() are alive.
     void forget_gone(scene::Simulation& simulation);
     bool holding() const { return holds_thing() || pinch_.holding(); }
-    /// Null where it is cloth or a soft body; its body likewise.
-    ecs::Entity entity() const { return entity_; }
+    ecs::Entity entity() const { return pinch_.holding() ? pinch_.entity() : entity_; }
+    /// Null where it is cloth or a soft body.
     physics::BodyId body() const { return body_; }
 
     /// One step of the spring. Opens the hand when the thing is frozen, out of reach or too heavy; returns what is to be said of

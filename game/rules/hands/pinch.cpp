@@ -21,37 +21,52 @@ constexpr Real kFastestHand_mps = 10;
 constexpr Real kStrained_s = 0.4_r;
 constexpr Real kFromWall_m = 0.1_r;
 
-struct Touched {
-    double distance_m{0};
-    std::array<std::uint32_t, 3> triangle{};
-};
+/// Whether the line of sight comes near the box round the points at all.
+bool may_be_seen(std::span<const Vec3d> points_m, const Aim& aim) {
+    Vec3d low = points_m.front();
+    Vec3d high = low;
+    for (const Vec3d& point : points_m) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    const Vec3d to_middle = (low + high) / 2.0 - Vec3d(aim.eye_m);
+    const Vec3d forward(aim.forward);
+    const Vec3d beside = to_middle - forward * std::max(glm::dot(to_middle, forward), 0.0);
+    return glm::length(beside) <= glm::distance(low, high) / 2;
+}
 
-std::optional<Touched> touched(const physics::PointBody& body, const Aim& aim, double reach_m) {
+void find_nearest(const scene::SceneDeformable& each,
+                  const Aim& aim,
+                  std::optional<SoftLooked>& nearest,
+                  double reach_m) {
+    const physics::PointBody& body = each.body->body();
+    const auto points_m = body.positions_m();
+    if (!may_be_seen(points_m, aim)) return;
+    double mass_kg = 0;
+    for (std::size_t i = 0; i < points_m.size(); ++i) mass_kg += body.mass_kg(i);
     physics::SurfaceParts parts;
     body.list_parts(parts);
-    const auto points_m = body.positions_m();
-    const Vec3d eye(aim.eye_m);
-    const Vec3d forward(aim.forward);
-    std::optional<Touched> nearest;
     for (const auto& triangle : parts.triangles) {
         glm::dvec2 within{};
         double distance_m = 0;
-        const bool is_hit = glm::intersectRayTriangle(eye,
-                                                      forward,
+        const bool is_hit = glm::intersectRayTriangle(Vec3d(aim.eye_m),
+                                                      Vec3d(aim.forward),
                                                       points_m[triangle[0]],
                                                       points_m[triangle[1]],
                                                       points_m[triangle[2]],
                                                       within,
                                                       distance_m);
         if (is_hit && distance_m > 0 && distance_m < (nearest ? nearest->distance_m : reach_m))
-            nearest = Touched{.distance_m = distance_m, .triangle = triangle};
+            nearest = {.entity = each.entity,
+                       .distance_m = distance_m,
+                       .mass_kg = mass_kg,
+                       .triangle = triangle};
     }
-    return nearest;
 }
 
 /// The triangle's own, and those of the surface round it.
 std::vector<std::uint32_t> fold_of(const physics::PointBody& body,
-                                   const Touched& at,
+                                   const SoftLooked& at,
                                    const Vec3d& middle_m) {
     const double radius_m = std::max(kFold_m, kOfCell * body.longest_side_m());
     std::vector<std::uint32_t> points(at.triangle.begin(), at.triangle.end());
@@ -70,47 +85,45 @@ std::vector<std::uint32_t> fold_of(const physics::PointBody& body,
 
 }  // namespace
 
-std::span<scene::SceneDeformable> Pinch::all_of(scene::Simulation& simulation, Of of) {
-    return of == Of::Cloth ? simulation.cloths() : simulation.softs();
+std::optional<SoftLooked> soft_looked_at(const scene::Simulation& simulation,
+                                         const Aim& aim,
+                                         double reach_m) {
+    std::optional<SoftLooked> nearest;
+    for (const auto& list : {simulation.cloths(), simulation.softs()}) {
+        for (const scene::SceneDeformable& each : list) find_nearest(each, aim, nearest, reach_m);
+    }
+    return nearest;
 }
 
-physics::Deformable* Pinch::held(scene::Simulation& simulation) const {
-    if (!holding()) return nullptr;
-    const auto all = all_of(simulation, of_);
-    return number_ < all.size() ? all[number_].body.get() : nullptr;
+physics::Deformable* deformable_of(scene::Simulation& simulation, ecs::Entity entity) {
+    for (const auto& list : {simulation.cloths(), simulation.softs()}) {
+        const auto found = std::ranges::find(list, entity, &scene::SceneDeformable::entity);
+        if (found != list.end()) return found->body.get();
+    }
+    return nullptr;
 }
 
 bool Pinch::take(scene::Simulation& simulation, const Aim& aim, Real reach_m) {
     release(simulation);
-    double nearest_m = static_cast<double>(reach_m);
-    std::optional<Touched> found;
-    for (const Of of : {Of::Cloth, Of::Soft}) {
-        const auto all = all_of(simulation, of);
-        for (std::uint32_t i = 0; i < all.size(); ++i) {
-            const auto here = touched(all[i].body->body(), aim, nearest_m);
-            if (!here) continue;
-            found = here;
-            nearest_m = here->distance_m;
-            of_ = of;
-            number_ = i;
-        }
-    }
-    if (!found) return false;
-    distance_m_ = std::clamp(static_cast<Real>(nearest_m), Grab::kNearest_m, Grab::kFarthest_m);
-    place_m_ = Vec3d(aim.eye_m) + Vec3d(aim.forward) * nearest_m;
+    const auto looked = soft_looked_at(simulation, aim, static_cast<double>(reach_m));
+    if (!looked) return false;
+    entity_ = looked->entity;
+    distance_m_ =
+        std::clamp(static_cast<Real>(looked->distance_m), Grab::kNearest_m, Grab::kFarthest_m);
+    place_m_ = Vec3d(aim.eye_m) + Vec3d(aim.forward) * looked->distance_m;
     strained_s_ = 0;
-    physics::Deformable& body = *held(simulation);
-    body.grip(fold_of(body.body(), *found, place_m_));
+    physics::Deformable& body = *deformable_of(simulation, entity_);
+    body.grip(fold_of(body.body(), *looked, place_m_));
     return true;
 }
 
 void Pinch::release(scene::Simulation& simulation) {
-    if (physics::Deformable* body = held(simulation)) body->let_go();
-    of_ = Of::Nothing;
+    if (physics::Deformable* body = deformable_of(simulation, entity_)) body->let_go();
+    entity_ = {};
 }
 
 void Pinch::throw_it(scene::Simulation& simulation, const Vec3& velocity_mps) {
-    physics::Deformable* body = held(simulation);
+    physics::Deformable* body = deformable_of(simulation, entity_);
     release(simulation);
     if (body == nullptr) return;
     for (std::size_t i = 0; i < body->body().positions_m().size(); ++i) {
@@ -124,8 +137,11 @@ void Pinch::change_distance(Real by_m) {
 }
 
 bool Pinch::pull(scene::Simulation& simulation, const Aim& aim) {
-    physics::Deformable* body = held(simulation);
-    if (body == nullptr) return true;
+    physics::Deformable* body = deformable_of(simulation, entity_);
+    if (body == nullptr) {
+        entity_ = {};
+        return true;
+    }
     const Real dt = static_cast<Real>(simulation.step_s());
     const bool is_strained =
         glm::length(body->grip_Ns()) > static_cast<double>(Grab::kMostForce_N * dt);
@@ -150,12 +166,12 @@ bool Pinch::pull(scene::Simulation& simulation, const Aim& aim) {
 }
 
 void Pinch::serialize(Archive& archive, scene::Simulation& simulation) {
-    archive(of_, number_, place_m_, distance_m_, strained_s_);
+    archive(entity_, place_m_, distance_m_, strained_s_);
     if (!archive.reads() || archive.failed()) return;
-    const physics::Deformable* body = held(simulation);
+    const physics::Deformable* body = deformable_of(simulation, entity_);
     archive.expect(!holding() || (body != nullptr && body->is_gripped()),
                    "what is in the hand is not there");
-    if (archive.failed()) of_ = Of::Nothing;
+    if (archive.failed()) entity_ = {};
 }
 
 }  // namespace plumbline::game

@@ -4,10 +4,25 @@
 #include "engine/scene/simulation.h"
 #include "game/rules/hands/aim.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
 namespace plumbline::game {
+
+/// Cloth or a soft body that is looked at.
+struct SoftLooked {
+    ecs::Entity entity{};
+    double distance_m{0};
+    double mass_kg{0};                        ///< of all of it
+    std::array<std::uint32_t, 3> triangle{};  ///< of its points
+};
+/// The nearest within `reach_m`, through bodies.
+std::optional<SoftLooked> soft_looked_at(const scene::Simulation& simulation,
+                                         const Aim& aim,
+                                         double reach_m);
+/// Null: the entity is none, or gone.
+physics::Deformable* deformable_of(scene::Simulation& simulation, ecs::Entity entity);
 
 class Pinch {
 public:
@@ -16,7 +31,8 @@ public:
     void release(scene::Simulation& simulation);
     /// Lets go; all of it gets the velocity.
     void throw_it(scene::Simulation& simulation, const Vec3& velocity_mps);
-    bool holding() const { return of_ != Of::Nothing; }
+    bool holding() const { return entity_.generation != 0; }
+    ecs::Entity entity() const { return entity_; }
     void change_distance(Real by_m);
     /// One step. False, and the hand opens: it is too heavy, or holds on to something.
     bool pull(scene::Simulation& simulation, const Aim& aim);
@@ -24,17 +40,10 @@ public:
     void serialize(Archive& archive, scene::Simulation& simulation);
 
 private:
-    enum class Of : std::uint8_t { Nothing, Cloth, Soft };
-    friend constexpr Of last_of(Of) { return Of::Soft; }
-    static std::span<scene::SceneDeformable> all_of(scene::Simulation& simulation, Of of);
-    /// Null: nothing is held, or it is gone.
-    physics::Deformable* held(scene::Simulation& simulation) const;
-
-    Of of_{Of::Nothing};
-    std::uint32_t number_{0};  ///< among all of its kind
-    Vec3d place_m_{0, 0, 0};   ///< where the hand is
-    Real distance_m_{1};       ///< of that from the eye
-    Real strained_s_{0};       ///< for so long it has pulled harder than a person can
+    ecs::Entity entity_{};
+    Vec3d place_m_{0, 0, 0};  ///< where the hand is
+    Real distance_m_{1};      ///< of that from the eye
+    Real strained_s_{0};      ///< for so long it has pulled harder than a person can
 };
 
 }  // namespace plumbline::game

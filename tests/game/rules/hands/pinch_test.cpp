@@ -120,6 +120,58 @@ TEST(Pinch, WhatIsTooHeavySlipsOutOfTheHand) {
     EXPECT_LT(PinchPlayground::middle_of(play.jelly()).y, 1);
 }
 
+TEST(Pinch, WhatIsFrozenStaysInTheAirUntilItThaws) {
+    PinchPlayground play;
+    play.take({0, 0.4_r, -1.3_r});
+    play.go_on(1, up_while_holding());
+    play.messages();
+    play.go_on(1.0 / 60, press({Action::Freeze, Action::Grab}));
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"frozen"});
+    EXPECT_TRUE(play.jelly().is_frozen());
+    play.go_on(0.1);
+    const Vec3d there = PinchPlayground::middle_of(play.jelly());
+    EXPECT_GT(there.y, 0.6);
+    play.go_on(2);
+    EXPECT_EQ(PinchPlayground::middle_of(play.jelly()), there);
+    EXPECT_TRUE(play.jelly().is_asleep());
+    play.go_on(1.0 / 60, play.turn_to(Vec3(there)));
+    play.go_on(1.0 / 60, press({Action::Freeze}));
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"unfrozen"});
+    play.go_on(0.5);
+    EXPECT_LT(PinchPlayground::middle_of(play.jelly()).y, there.y - 0.2);
+}
+
+TEST(Pinch, WhatIsDeletedIsGoneAndLetsFallWhatLayOnIt) {
+    PinchPlayground play;
+    scene::EntityDescription box;
+    box.name = "box";
+    box.visual = physics::BoxShape{.size_m = {0.3_r, 0.2_r, 0.3_r}};
+    box.world_from_body.position = {0, 0.75_r, -1.6_r};
+    box.body = scene::BodyDescription{.mass_kg = Real{1}};
+    const ecs::Entity entity = play.simulation->spawn(box);
+    const physics::BodyId body = play.simulation->registry.get<scene::BodyRef>(entity).body;
+    play.go_on(4);
+    const auto height = [&] {
+        return static_cast<double>(play.simulation->physics.state(body).world_from_body.position.y);
+    };
+    EXPECT_GT(height(), 0.5) << "it lies on the jelly";
+    play.go_on(1.0 / 60, play.turn_to({0, 0.3_r, -1.35_r}));
+    EXPECT_EQ(play.game->hud(*play.simulation).looking_at, "soft body, 8.64 kg");
+    play.go_on(1.0 / 60, press({Action::Remove}));
+    play.go_on(2);
+    EXPECT_TRUE(play.simulation->softs().empty());
+    EXPECT_NEAR(height(), 0.1, 0.01);
+
+    Archive out;
+    play.game->serialize(out, *play.simulation);
+    scene::serialize_state(*play.simulation, out);
+    PinchPlayground again;
+    const std::string bytes = out.take();
+    Archive in(bytes);
+    again.game->serialize(in, *again.simulation);
+    EXPECT_TRUE(again.simulation->softs().empty()) << in.fault();
+}
+
 TEST(Pinch, GoesOnFromASavedGameToTheBit) {
     PinchPlayground first;
     first.take({0, 0.4_r, -1.3_r});
