@@ -234,7 +234,8 @@ double TriangleContacts::add_polygon(const Side& side, double touching_m) {
         nearest_m = std::min(nearest_m, distance_m);
         bool on_seam = region.cuts[i] != 0;
         for (std::size_t edge = 0; edge < 3; ++edge)
-            on_seam = on_seam && (side.is_seam[edge] || (region.cuts[i] >> edge & 1U) == 0);
+            on_seam =
+                on_seam && (side.is_seam[edge] || (unsigned{region.cuts[i]} >> edge & 1U) == 0);
         put_over(side, region.corners[i], on_seam ? MeshPoint::Kind::Seam : MeshPoint::Kind::Face);
     }
     return nearest_m;
