@@ -5,7 +5,6 @@
 #include "engine/core/io/pose_archive.h"
 #include "engine/core/io/saved_file.h"
 #include "engine/scene/build/entity_builder.h"
-#include "engine/scene/build/fragments.h"
 #include "engine/scene/components.h"
 #include "engine/scene/level/shipped_things.h"
 #include "engine/scene/simulation/simulation_archive.h"
@@ -42,16 +41,9 @@ void serialize(Archive& archive, StartThing& thing) {
 std::vector<StartThing> things_in(const scene::Simulation& simulation) {
     std::vector<StartThing> things;
     const ecs::Registry& registry = simulation.registry;
-    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
-        const auto* made = registry.find<scene::Spawned>(moving.entity);
-        if (made == nullptr || !simulation.physics.contains(moving.body)) continue;
-        if (registry.find<scene::PartOf>(moving.entity) != nullptr) continue;
-        const auto* fragile = registry.find<scene::Fragile>(moving.entity);
-        if (fragile != nullptr &&
-            scene::is_fragment(*simulation.wholes()[fragile->whole], *fragile))
-            continue;
+    for (const scene::MovingBody& moving : things_made_in_play(simulation)) {
         const physics::BodyState state = simulation.physics.state(moving.body);
-        things.push_back({.prefab = made->description,
+        things.push_back({.prefab = registry.get<scene::Spawned>(moving.entity).description,
                           .name = registry.get<scene::Name>(moving.entity).text,
                           .is_dropped = registry.find<scene::Dropped>(moving.entity) != nullptr,
                           .is_frozen = state.frozen,

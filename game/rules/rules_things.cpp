@@ -63,7 +63,7 @@ struct Weighed {
 /// What hands could take hold of.
 std::optional<Weighed> weighed_in_sight(const scene::Simulation& simulation, const Aim& aim) {
     const auto looked = looked_at(simulation, aim, Grab::kReach_m);
-    const Real reach_m = looked ? looked->distance_m : aim.reach_m(Grab::kReach_m);
+    const Real reach_m = sight_m(looked, aim, Grab::kReach_m);
     if (const auto soft = soft_looked_at(simulation, aim, static_cast<double>(reach_m)))
         return Weighed{soft->entity, soft->mass_kg};
     if (!looked || !simulation.registry.alive(looked->entity)) return {};
@@ -183,8 +183,9 @@ void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions)
 ecs::Entity PlaygroundGame::thing_to(std::string_view verb, const scene::Simulation& simulation) {
     if (simulation.registry.alive(grab_.entity())) return grab_.entity();
     const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
-    const double reach_m = static_cast<double>(looked ? looked->distance_m : kRemoveReach_m);
-    if (const auto soft = soft_looked_at(simulation, aim(), reach_m)) return soft->entity;
+    const Real reach_m = sight_m(looked, aim(), kRemoveReach_m);
+    if (const auto soft = soft_looked_at(simulation, aim(), static_cast<double>(reach_m)))
+        return soft->entity;
     const bool movable = looked && simulation.registry.alive(looked->entity) &&
                          simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic;
     if (movable) return is_guarded(looked->entity) ? ecs::Entity{} : looked->entity;

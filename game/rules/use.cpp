@@ -122,7 +122,7 @@ ecs::Entity lamp_at(const scene::Simulation& simulation,
     if (looked && simulation.registry.has<scene::PointLight>(looked->entity) &&
         is_visible(simulation, looked->entity))
         return looked->entity;
-    const Real sight_m = (looked ? looked->distance_m : aim.reach_m(Grab::kReach_m)) + kBulb_m;
+    const Real farthest_m = sight_m(looked, aim, Grab::kReach_m) + kBulb_m;
     ecs::Entity nearest{};
     Real least_m = kBulb_m;
     for (auto [entity, light, transform, visual] :
@@ -132,7 +132,7 @@ ecs::Entity lamp_at(const scene::Simulation& simulation,
         const Vec3 way = transform.world_from_body.position - aim.eye_m;
         const Real along = glm::dot(way, aim.forward);
         const Real beside_m = glm::length(way - aim.forward * along);
-        if (along < 0 || along > sight_m || beside_m > least_m) continue;
+        if (along < 0 || along > farthest_m || beside_m > least_m) continue;
         nearest = entity;
         least_m = beside_m;
     }

@@ -3,6 +3,7 @@
 #include "engine/core/text/toml_text.h"
 #include "engine/scene/build/array_copies.h"
 #include "engine/scene/build/fragments.h"
+#include "engine/scene/level/shipped_things.h"
 
 #include <fmt/format.h>
 
@@ -117,27 +118,18 @@ struct LevelWriter {
     }
 
     void write_made() {
-        for (const MovingBody& moving : simulation.moving_bodies()) {
-            const auto* made = simulation.registry.find<Spawned>(moving.entity);
-            if (made == nullptr || !simulation.physics.contains(moving.body)) continue;
-            if (simulation.registry.find<PartOf>(moving.entity) != nullptr) continue;
-            const auto* fragile = simulation.registry.find<Fragile>(moving.entity);
-            if (fragile != nullptr && is_broken(*fragile)) continue;
+        for (const MovingBody& moving : things_made_in_play(simulation)) {
             const std::string name =
                 name_of_thing(simulation.registry.get<Name>(moving.entity).text);
+            const std::string& prefab = simulation.registry.get<Spawned>(moving.entity).description;
             const physics::BodyState state = simulation.physics.state(moving.body);
-            if (!simulation.description().prefabs.contains(made->description))
-                foreign.insert(made->description);
+            if (!simulation.description().prefabs.contains(prefab)) foreign.insert(prefab);
             things += fmt::format("\n[[entity]]\nname = {}\nprefab = {}\n{}",
                                   toml_text(name),
-                                  toml_text(made->description),
+                                  toml_text(prefab),
                                   pose_lines(state.world_from_body));
             if (state.frozen) add_change(name, "frozen = true\n");
         }
-    }
-
-    bool is_broken(const Fragile& fragile) const {
-        return is_fragment(*simulation.wholes()[fragile.whole], fragile);
     }
 
     std::vector<std::string> notes() const {
@@ -147,7 +139,8 @@ struct LevelWriter {
         if (tied > 0) notes.emplace_back("ropes tied in play are left out");
         const bool broke = std::ranges::any_of(simulation.moving_bodies(), [&](const auto& moving) {
             const auto* fragile = simulation.registry.find<Fragile>(moving.entity);
-            return fragile != nullptr && is_broken(*fragile);
+            return fragile != nullptr &&
+                   is_fragment(*simulation.wholes()[fragile->whole], *fragile);
         });
         if (broke) notes.emplace_back("fragments of what broke are left out");
         return notes;

@@ -103,8 +103,7 @@ std::optional<Grab::Handle> Grab::handle_of(const scene::Simulation& simulation,
 
 std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& aim) {
     const auto looked = looked_at(simulation, aim, kReach_m);
-    if (pinch_.take(simulation, aim, looked ? looked->distance_m : aim.reach_m(kReach_m)))
-        return std::nullopt;
+    if (pinch_.take(simulation, aim, sight_m(looked, aim, kReach_m))) return std::nullopt;
     if (!looked || !simulation.registry.alive(looked->entity)) return "nothing within reach";
     physics::PhysicsWorld& world = simulation.physics;
     const physics::BodyState state = world.state(looked->body);

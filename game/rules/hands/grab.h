@@ -18,6 +18,11 @@ struct Looked {
     Real distance_m{0};
 };
 
+/// How far one sees: to what is looked at, else as far as with an arm of that length.
+inline Real sight_m(const std::optional<Looked>& looked, const Aim& aim, Real arm_m) {
+    return looked ? looked->distance_m : aim.reach_m(arm_m);
+}
+
 class Grab {
 public:
     static constexpr Real kReach_m = 3;

@@ -42,8 +42,6 @@ void find_nearest(const scene::SceneDeformable& each,
     const physics::PointBody& body = each.body->body();
     const auto points_m = body.positions_m();
     if (!may_be_seen(points_m, aim)) return;
-    double mass_kg = 0;
-    for (std::size_t i = 0; i < points_m.size(); ++i) mass_kg += body.mass_kg(i);
     physics::SurfaceParts parts;
     body.list_parts(parts);
     for (const auto& triangle : parts.triangles) {
@@ -59,7 +57,7 @@ void find_nearest(const scene::SceneDeformable& each,
         if (is_hit && distance_m > 0 && distance_m < (nearest ? nearest->distance_m : reach_m))
             nearest = {.entity = each.entity,
                        .distance_m = distance_m,
-                       .mass_kg = mass_kg,
+                       .mass_kg = body.mass_kg(),
                        .triangle = triangle};
     }
 }

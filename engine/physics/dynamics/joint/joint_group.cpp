@@ -57,6 +57,14 @@ Vec3d residual_of(const JointRows& row, std::span<const JointBody> bodies) {
     return glm::dot(error, error) < kSmallError * kSmallError ? Vec3d{0, 0, 0} : error;
 }
 
+template <class Bound>
+std::span<Bound> part_of(std::span<Bound> bounds, const JointComponent& component) {
+    const auto first =
+        std::ranges::lower_bound(bounds, component.first_node, {}, &JointBound::node);
+    const auto last = std::ranges::lower_bound(bounds, component.last_node, {}, &JointBound::node);
+    return {first, last};
+}
+
 void push(JointBody& body, const Vec3d& impulse_Ns, const Vec3d& arm) {
     body.velocity_mps += impulse_Ns * body.inverse_mass;
     body.spin_radps += body.inverse_inertia * glm::cross(arm, impulse_Ns);
@@ -127,17 +135,11 @@ void JointGroup::set_active(const JointBound& bound) {
 }
 
 std::span<JointBound> JointGroup::bounds_of(const JointComponent& component) {
-    const auto first =
-        std::ranges::lower_bound(bounds, component.first_node, {}, &JointBound::node);
-    const auto last = std::ranges::lower_bound(bounds, component.last_node, {}, &JointBound::node);
-    return {first, last};
+    return part_of(std::span(bounds), component);
 }
 
 std::span<const JointBound> JointGroup::bounds_of(const JointComponent& component) const {
-    const auto first =
-        std::ranges::lower_bound(bounds, component.first_node, {}, &JointBound::node);
-    const auto last = std::ranges::lower_bound(bounds, component.last_node, {}, &JointBound::node);
-    return {first, last};
+    return part_of(std::span(bounds), component);
 }
 
 void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
