@@ -32,7 +32,8 @@ struct CharacterInput {
     Real pace{1};                   ///< factor on the speeds of CharacterDef
     bool run{false};
     bool crouch{false};
-    bool jump{false};  ///< pressed since the last step
+    bool jump{false};       ///< pressed since the last step
+    Vec3 borne_N{0, 0, 0};  ///< by what is no rigid body: cloth, soft bodies
 };
 
 enum class Footing : std::uint8_t { Ground, SteepSlope, Air };

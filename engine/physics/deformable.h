@@ -1,4 +1,4 @@
-// A deforming body among rigid ones: what holds it, what it touches, and when it sleeps.
+// A deforming body among rigid ones: what holds it, what it touches, and when it sleeps. Deformables takes its steps.
 //
 // Within each sub-step of the bodies it takes its own, shorter ones, and moves the bodies along with what it pushes them by: what a
 // body gets in its sub-step is the sum. Points touch bodies; where a body is small against the cells, places between them do, too.
@@ -6,12 +6,10 @@
 
 #include "engine/physics/force_field.h"
 #include "engine/physics/point_body.h"
-#include "engine/physics/self_contacts.h"
 #include "engine/physics/surface_contacts.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +19,7 @@ class Archive;
 
 namespace plumbline::physics {
 
+class PartContacts;
 class PhysicsWorld;
 
 struct DeformablePin {
@@ -29,8 +28,7 @@ struct DeformablePin {
 };
 
 struct DeformableDef {
-    double thickness_m{0.004};
-    double friction{0.5};
+    SurfaceTraits surface{};
     bool self_collision{false};
     double substeps_per_s{6000};  ///< at most
     std::vector<DeformablePin> pins{};
@@ -42,6 +40,9 @@ public:
     Deformable(const PhysicsWorld& world,
                std::unique_ptr<PointBody> body,
                const DeformableDef& def);
+    ~Deformable();
+    Deformable(const Deformable&) = delete;
+    Deformable& operator=(const Deformable&) = delete;
 
     const PointBody& body() const { return *body_; }
     /// To be set before begin_step(): PointBody::fluids().
@@ -61,23 +62,22 @@ public:
     /// Holds all of it where it is, or lets go. A hand that takes hold of what is frozen thaws it.
     void set_frozen(bool frozen);
     bool is_frozen() const { return grip_.is_frost; }
-    /// Looks for what is near, lets go of what is gone and wakes, or falls asleep.
-    void begin_step(PhysicsWorld& world, double step_s);
-    bool is_asleep() const { return asleep_; }
+    bool is_asleep() const { return rest_.asleep; }
     /// The dynamic bodies that it pushes in this step; those that sleep do not move.
     std::span<const BodyId> movable() const { return movable_; }
     /// Of the points that it has pinned to a body: they move along with it.
     double pinned_kg(BodyId body) const;
-    /// One sub-step of the bodies.
-    void act(const PhysicsWorld& world, std::span<BodyInField* const> bodies, double seconds);
-    /// What no sub-step of bodies has done of the step.
-    void end_step(const PhysicsWorld& world);
+    /// By which it pushed what does not yield to it, as a person's body, all through the latest step that it was awake in; 0: it did not.
+    Vec3d force_on(BodyId body) const;
     /// Own sub-steps in the step so far.
-    std::uint64_t substeps() const { return substeps_; }
+    std::uint64_t substeps() const { return done_.substeps; }
 
     void serialize(Archive& archive);
 
 private:
+    friend class Deformables;
+    static constexpr double kCalm_s = 2;  ///< of none of its points moving: then it sleeps
+
     struct Holder {
         std::size_t point{0};
         BodyId to{};
@@ -109,15 +109,55 @@ private:
         void serialize(Archive& archive);
     };
 
+    /// What has not moved for a while.
+    struct Rest {
+        std::vector<Vec3d> places_m;  ///< of its points when it last had moved
+        double calm_s{0};             ///< since then
+        bool asleep{false};
+    };
+    /// Where it may be within the step.
+    struct Reach {
+        Vec3d low_m{0, 0, 0};
+        Vec3d high_m{0, 0, 0};
+    };
+    struct Done {
+        std::uint64_t substeps{0};  ///< in the step
+        std::uint32_t taken{0};     ///< in the bodies' sub-step, of ...
+        std::uint32_t most{1};
+    };
+
+    // --- a step, in this order
+    /// Looks for what is near, lets go of what is gone and wakes what its load has changed of.
+    void begin_step(PhysicsWorld& world, double step_s);
+    bool is_calm() const { return rest_.calm_s > kCalm_s; }
+    void fall_asleep(bool sleeps);
+    // ... a sub-step of the bodies
+    void begin_act(const PhysicsWorld& world, std::span<BodyInField* const> bodies, double seconds);
+    /// Own sub-steps that it wants for the rest of it.
+    std::uint32_t plan(double left_s);
+    // ... one of its own, or of those that it takes them with
+    void lead(const Vec3d& gravity_mps2, double h, double left_s);
+    void feel(const Vec3d& gravity_mps2);  ///< forces, over as long as it planned
+    void touch(double h);
+    void move(double h);
+    // ...
+    void end_act(const Vec3d& gravity_mps2, double seconds);
+    void end_step(double step_s);
+
+    void disturb() { rest_.calm_s = 0; }
+    void wake() {
+        rest_.asleep = false;
+        disturb();
+    }
     bool is_blown() const;
-    void list_near(const PhysicsWorld& world);
+    void list_near(const PhysicsWorld& world, double step_s);
+    void find_reach(double step_s);
     void add_near(const PhysicsWorld& world, BodyId id);
     void wake_touched(PhysicsWorld& world);
-    void rest(double step_s, bool disturbed);
+    void note_rest(double step_s, bool disturbed);
     void place_near(std::span<BodyInField* const> bodies, double seconds);
     double yield_of(BodyId body, const Vec3d& start_mps) const;
     void note_expected(const Vec3d& gravity_mps2, double seconds);
-    void substep(const Vec3d& gravity_mps2, double h, double left_s);
     void lead_pins(double h, double left_s);
     void load_holders();
 
@@ -130,17 +170,15 @@ private:
     std::vector<Expected> expected_;
     std::vector<Load> loads_;   ///< when they fell asleep
     std::vector<Load> felt_;    ///< in the latest step
+    std::vector<Load> borne_;   ///< by what is kinematic, when it last was awake
     std::vector<BodyId> seen_;  ///< what was near in the step before
     SurfaceContacts contacts_;
-    std::optional<SelfContacts> self_contacts_;  ///< of one that touches itself
+    std::unique_ptr<PartContacts> self_contacts_;  ///< of one that touches itself; else null
     bool is_stirred_{false};
-    double step_s_{0};
-    double done_s_{0};           ///< of the step
+    Reach reach_;
     std::vector<Vec3d> kept_m_;  ///< its points at the start of the sub-step
-    std::vector<Vec3d> calm_m_;  ///< where its points were when it last had moved
-    double calm_s_{0};           ///< since then
-    bool asleep_{false};
-    std::uint64_t substeps_{0};
+    Rest rest_;
+    Done done_;
 };
 
 }  // namespace plumbline::physics

@@ -36,6 +36,7 @@ struct FluidAtPoint {
     double density_kgpm3{0};
     double weight_Npm3{0};  ///< of the water
     double drag{1};         ///< times all that resists motion in it
+    bool has_waves{false};  ///< which take with them what bobs
 };
 
 /// Sums over all points.
@@ -45,7 +46,8 @@ struct PointTotals {
     Vec3d angular_momentum_kgm2ps{0, 0, 0};  ///< about the world's origin
     double kinetic_J{0};
     double elastic_J{0};
-    double water_J{0};  ///< what the water that it displaces has risen by
+    double water_J{0};       ///< what the water that it displaces has risen by
+    double displaced_m3{0};  ///< what of it is under water, by fluids()
 };
 
 /// World axes. Forces are explicit (symplectic Euler), in sub-steps that resolve the waves in it: at rest they balance exactly,
@@ -76,6 +78,8 @@ public:
     /// Sub-steps that the coming `seconds` take, at most `most`. The sub-steps follow, one by one.
     virtual std::uint32_t plan(double seconds, std::uint32_t most) = 0;
     double substep_s() const { return substep_s_; }  ///< of the latest plan
+    /// Sub-steps shorter than planned; what the plan made softer stays so.
+    void shorten_substeps(double to_s) { substep_s_ = to_s; }
     /// Of the latest plan: the share of its stiffness that the sub-steps bear.
     double stiffness_share() const { return stiffness_share_; }
     /// Changes velocities by all forces of a sub-step.
@@ -84,10 +88,8 @@ public:
     void change_velocity(std::size_t point, const Vec3d& by_mps) {
         velocities_mps_[point] += by_mps;
     }
-    /// Leaves this share of all motion.
-    void slow_down(double share);
     /// Moves points along their velocities.
-    void move();
+    void move(double seconds);
     /// Whether all numbers are finite and no point is faster than rigid bodies may be.
     bool is_sound() const;
     /// To places where it was, at rest.
@@ -119,6 +121,7 @@ protected:
     virtual void serialize_own(Archive&) {}
     virtual double elastic_J() const = 0;
     virtual double water_J() const { return 0; }
+    virtual double displaced_m3() const { return 0; }
     /// Of the forces on a point.
     virtual double weight_of(std::size_t) const { return 1; }
 
@@ -131,5 +134,8 @@ protected:
     double substep_s_{0};
     double stiffness_share_{1};
 };
+
+/// Leaves this share of all motion.
+void slow_down(PointBody& body, double share);
 
 }  // namespace plumbline::physics

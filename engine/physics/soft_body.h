@@ -88,6 +88,7 @@ private:
     void serialize_own(Archive& archive) override;
     double elastic_J() const override;
     double water_J() const override;
+    double displaced_m3() const override;
 
     SoftBodyDef def_;
     double shear_Pa_;      ///< Lame's mu

@@ -13,6 +13,12 @@ namespace plumbline::physics {
 
 class PhysicsWorld;
 
+/// How thick a surface is, and how rough.
+struct SurfaceTraits {
+    double thickness_m{0.004};
+    double friction{0.5};
+};
+
 /// A rigid body near a deforming one, as it moves through a sub-step.
 struct NearBody {
     BodyId id{};
@@ -30,6 +36,7 @@ struct NearBody {
     std::uint32_t places{1};  ///< along a cell's side that may touch it
     bool touches{true};       ///< else it only holds pins
     bool can_wake{false};     ///< asleep, and dynamic
+    bool is_kinematic{false};
     Vec3d start_mps{0, 0, 0};
     Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
     Vec3d felt_Ns{0, 0, 0};    ///< in the step

@@ -7,7 +7,7 @@
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"
-#include "engine/physics/deformable.h"
+#include "engine/physics/deformables.h"
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
@@ -105,6 +105,7 @@ struct SceneDeformable {
     ecs::Entity entity{};  ///< what is drawn of it
     std::unique_ptr<physics::Deformable> body;
     std::vector<Vec3d> before_m;  ///< its points at the beginning of the latest step
+    Displaced displaced{};
     /// Gives what is drawn the shape that it has when its points are there.
     std::function<void(std::span<const Vec3d> points_m, assets::MeshData& mesh)> shape_mesh;
 };
@@ -133,28 +134,33 @@ private:
 /// The force fields that steps ask, by their names.
 class ForceFields {
 public:
-    /// The field outlives its place here.
+    /// The field outlives its place here. Whoever adds one that is there already removes it once more.
     void add(std::string_view name, physics::ForceField& field) {
-        fields_.emplace(name, &field);
+        ++fields_.try_emplace(std::string(name), Added{&field}).first->second.times;
         list();
     }
     void remove(std::string_view name) {
-        fields_.erase(fields_.find(name));
+        const auto found = fields_.find(name);
+        if (--found->second.times == 0) fields_.erase(found);
         list();
     }
     std::span<physics::ForceField* const> all() const { return list_; }
     /// Of the one with this name; 0 where there is none.
     double energy_J(std::string_view name) const {
         const auto found = fields_.find(name);
-        return found == fields_.end() ? 0 : found->second->energy_J();
+        return found == fields_.end() ? 0 : found->second.field->energy_J();
     }
 
 private:
+    struct Added {
+        physics::ForceField* field{nullptr};
+        int times{0};
+    };
     void list() {
         list_.clear();
-        for (const auto& [name, field] : fields_) list_.push_back(field);
+        for (const auto& [name, added] : fields_) list_.push_back(added.field);
     }
-    std::map<std::string, physics::ForceField*, std::less<>> fields_;
+    std::map<std::string, Added, std::less<>> fields_;
     std::vector<physics::ForceField*> list_;
 };
 
@@ -200,8 +206,9 @@ public:
     std::vector<std::string> charges_lit;  ///< names of explosions that go off in the next step
     int counted{0};                        ///< by triggers that count; saved
     ForceFields force_fields;              ///< of the effects there are
-    std::vector<SceneWater> waters;        ///< as the description has them
-    ContactListeners contact_listeners;    ///< contact events are made while there are any
+    physics::Deformables deformables{physics};  ///< those that effects enter for the coming step
+    std::vector<SceneWater> waters;             ///< as the description has them
+    ContactListeners contact_listeners;         ///< contact events are made while there are any
 
     const SceneDescription& description() const { return description_; }
     const SurfaceTable& surfaces() const { return surfaces_; }

@@ -29,6 +29,15 @@ constexpr Real kSeatGone_mps = 1.5_r;  // who falls sits no more
 constexpr Real kSeatGone_m = 0.8_r;    // and who is thrown off a swing
 constexpr Real kPump_N = 80;           // of legs and back, on a swing
 
+/// By which cloths and soft bodies push it.
+Vec3 force_on(const scene::Simulation& simulation, physics::BodyId body) {
+    Vec3d sum{0, 0, 0};
+    for (const auto list : {simulation.cloths(), simulation.softs()}) {
+        for (const scene::SceneDeformable& each : list) sum += each.body->force_on(body);
+    }
+    return Vec3(sum);
+}
+
 std::uint16_t surface_under(const scene::Simulation& simulation, physics::BodyId ground) {
     const ecs::Entity entity = entity_of(simulation, ground);
     if (!simulation.registry.alive(entity)) return 0;
@@ -92,6 +101,7 @@ void Player::act(scene::Simulation& simulation,
         input.crouch = actions.is_held(Action::Crouch);
         input.jump = actions.presses(Action::Jump) > 0;
     }
+    input.borne_N = force_on(simulation, body());
     character_->update(input);
     const Real change_m = kSittingDown_mps * static_cast<Real>(simulation.step_s());
     lowered_m_ += std::clamp((sits_ ? kSittingLower_m : Real{0}) - lowered_m_, -change_m, change_m);

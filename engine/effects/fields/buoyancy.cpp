@@ -18,8 +18,6 @@ using physics::Submersion;
 
 /// Of the mass: as much more moves along before momentum is handed on to it again. What bobs is left in peace.
 constexpr double kReckoned = 1e-3;
-/// Of a body's radius: waves shorter than some five times that pass it by, and it makes none.
-constexpr double kFelt = 0.5;
 /// A float at rest wakes when the surface has risen or fallen by so much.
 constexpr double kWakingRise_m = 1e-3;
 
@@ -304,12 +302,14 @@ private:
             Afloat there = own;
             there.water = static_cast<int>(i);
             if (const scene::WaveField* waves = waves_of(there)) {
-                there.rise_m = waves->height_m(center.x, center.z, kFelt * own.radius_m);
-                there.slope = waves->slope(center.x, center.z, kFelt * own.radius_m);
+                there.rise_m =
+                    waves->height_m(center.x, center.z, scene::kFeltOfRadius * own.radius_m);
+                there.slope = waves->slope(center.x, center.z, scene::kFeltOfRadius * own.radius_m);
                 // The mean over the step: what it is about to displace itself lifts the surface on the way.
                 if (own.moved_m3 != 0)
                     there.rise_m += 0.5 * own.moved_m3 *
-                                    waves->response_pm2(center.x, center.z, kFelt * own.radius_m);
+                                    waves->response_pm2(
+                                        center.x, center.z, scene::kFeltOfRadius * own.radius_m);
             }
             if (center.y - own.radius_m > high.y + there.rise_m) continue;
             own = there;
@@ -320,7 +320,7 @@ private:
     /// What the body displaces at a place stands up as the surface round it.
     void displace(const Afloat& own, const Vec3d& place, double volume_m3) const {
         if (scene::WaveField* waves = waves_of(own))
-            waves->displace(place, kFelt * own.radius_m, volume_m3);
+            waves->displace(place, scene::kFeltOfRadius * own.radius_m, volume_m3);
     }
     void raise_level(const Afloat& own, double volume_m3) const {
         if (scene::WaveField* waves = waves_of(own)) waves->raise_level(volume_m3);

@@ -11,6 +11,7 @@
 namespace plumbline::effects {
 namespace {
 
+constexpr std::string_view kField = "deformables";
 /// Of the stiffness asked for; less is said.
 constexpr double kStiffEnough = 0.95;
 
@@ -25,15 +26,21 @@ const scene::SceneWater* water_at(const scene::Simulation& simulation, const Vec
     return nullptr;
 }
 
+int number_of(const scene::Simulation& simulation, const scene::SceneWater& water) {
+    return static_cast<int>(&water - simulation.waters.data());
+}
+
 /// Sets what is known of a point's water.
 void describe_water(const scene::Simulation& simulation,
                     const scene::SceneWater& water,
                     const Vec3d& place,
+                    const scene::Displaced& felt,
                     physics::FluidAtPoint& fluid) {
-    const auto number = static_cast<std::size_t>(&water - simulation.waters.data());
+    const auto number = static_cast<std::size_t>(number_of(simulation, water));
     const scene::WaterDescription& said = simulation.description().forces.waters[number];
     const auto gravity_mps2 = -static_cast<double>(simulation.physics.def().gravity_mps2.y);
-    fluid.level_m = water.max_m.y + (water.waves ? water.waves->height_m(place.x, place.z) : 0);
+    fluid.has_waves = water.waves != nullptr;
+    fluid.level_m = water.max_m.y + scene::felt_rise_m(water, felt, place);
     fluid.flow_mps = Vec3d(said.flow_mps);
     fluid.density_kgpm3 = static_cast<double>(said.density_kgpm3);
     fluid.weight_Npm3 = fluid.density_kgpm3 * std::max(gravity_mps2, 0.0);
@@ -42,21 +49,21 @@ void describe_water(const scene::Simulation& simulation,
 
 }  // namespace
 
-using physics::BodyId;
-
 DeformableEffect::DeformableEffect(scene::Simulation& simulation,
                                    std::string_view name,
                                    List list,
                                    scene::Fidelity fidelity)
     : simulation_(simulation), name_(name), list_(list), fidelity_(fidelity) {
-    simulation.force_fields.add(name_, *this);
+    simulation.force_fields.add(kField, simulation.deformables);
     set_fluids();
 }
 
 DeformableEffect::~DeformableEffect() {
-    simulation_.force_fields.remove(name_);
-    for (const BodyId body : pushed_) {
-        if (simulation_.physics.contains(body)) simulation_.physics.wake(body);
+    simulation_.force_fields.remove(kField);
+    for (const scene::SceneDeformable& each : all()) {
+        for (const physics::BodyId body : each.body->movable()) {
+            if (simulation_.physics.contains(body)) simulation_.physics.wake(body);
+        }
     }
 }
 
@@ -70,15 +77,15 @@ void DeformableEffect::set_fluids() {
     for (scene::SceneDeformable& each : all()) {
         const bool blows = air.blows() && each.body->body().feels_air();
         if (each.body->is_asleep() && !blows && !is_stirred) continue;
-        set_fluids(*each.body, blows ? &air : nullptr, has_water);
+        set_fluids(each, blows ? &air : nullptr, has_water);
         if (is_stirred && !each.body->fluids().empty()) each.body->stir();
     }
 }
 
 /// `air`: null where it stands still.
-void DeformableEffect::set_fluids(physics::Deformable& body, const Air* air, bool has_water) {
-    const auto points_m = body.body().positions_m();
-    std::vector<physics::FluidAtPoint>& fluids = body.fluids();
+void DeformableEffect::set_fluids(scene::SceneDeformable& each, const Air* air, bool has_water) {
+    const auto points_m = each.body->body().positions_m();
+    std::vector<physics::FluidAtPoint>& fluids = each.body->fluids();
     fluids.clear();
     if (air != nullptr) {
         fluids.resize(points_m.size());
@@ -89,60 +96,37 @@ void DeformableEffect::set_fluids(physics::Deformable& body, const Air* air, boo
         const scene::SceneWater* water = water_at(simulation_, points_m[i]);
         if (water == nullptr) continue;
         fluids.resize(points_m.size());
-        describe_water(simulation_, *water, points_m[i], fluids[i]);
+        describe_water(simulation_, *water, points_m[i], each.displaced, fluids[i]);
     }
 }
 
 void DeformableEffect::before_step(scene::Simulation& simulation) {
     set_fluids();
-    pushed_.clear();
     for (scene::SceneDeformable& each : all()) {
         if (!each.body->is_asleep())
             std::ranges::copy(each.body->body().positions_m(), each.before_m.begin());
-        each.body->begin_step(simulation.physics, simulation.step_s());
-        const auto movable = each.body->movable();
-        pushed_.insert(pushed_.end(), movable.begin(), movable.end());
-    }
-    std::ranges::sort(pushed_);
-}
-
-bool DeformableEffect::acts_on(BodyId body) const {
-    return std::ranges::binary_search(pushed_, body);
-}
-
-double DeformableEffect::added_mass_kg(BodyId body) const {
-    double sum = 0;
-    for (const scene::SceneDeformable& each : all()) sum += each.body->pinned_kg(body);
-    return sum;
-}
-
-int DeformableEffect::substeps() const {
-    return field_substeps(fidelity_);
-}
-
-void DeformableEffect::list_pairs(std::vector<Pair>& pairs) const {
-    for (const scene::SceneDeformable& each : all()) {
-        const auto movable = each.body->movable();
-        for (std::size_t i = 1; i < movable.size(); ++i) pairs.emplace_back(movable[0], movable[i]);
+        simulation.deformables.enter(*each.body, field_substeps(fidelity_));
     }
 }
 
-void DeformableEffect::act(std::span<physics::BodyInField* const> bodies,
-                           const physics::FieldTime& time) {
-    lap_.start();
-    for (scene::SceneDeformable& each : all()) {
-        const auto movable = each.body->movable();
-        const bool is_here =
-            !movable.empty() &&
-            std::ranges::find(bodies, movable[0], &physics::BodyInField::id) != bodies.end();
-        if (is_here) each.body->act(simulation_.physics, bodies, time.h_s);
-    }
-    work_.cpu_ms += lap_.lap_ms();
+/// The waves know of it before they go on.
+void DeformableEffect::displace_water(scene::SceneDeformable& each) {
+    const physics::PointBody& body = each.body->body();
+    if (each.body->fluids().empty() && each.displaced.volume_m3 == 0) return;
+    const physics::PointTotals totals = body.totals();
+    scene::Displaced now{.volume_m3 = totals.displaced_m3,
+                         .place_m = totals.moment_kgm / body.mass_kg()};
+    for (const Vec3d& at : body.positions_m())
+        now.radius_m = std::max(now.radius_m, glm::distance(at, now.place_m));
+    if (const scene::SceneWater* water = water_at(simulation_, now.place_m))
+        now.water = number_of(simulation_, *water);
+    scene::displace(simulation_.waters, each.displaced, now);
 }
 
 void DeformableEffect::after_step(scene::Simulation& simulation, const scene::Game&) {
     for (scene::SceneDeformable& each : all()) {
-        each.body->end_step(simulation.physics);
+        if (!each.body->is_asleep()) displace_water(each);
+        work_.cpu_ms += simulation.deformables.cpu_ms(*each.body);
         work_.calls += each.body->substeps();
     }
     warn_of_softness();

@@ -1,23 +1,20 @@
-// An effect whose bodies deform: steps them, in the sub-steps of the bodies that they touch, and draws them.
+// An effect whose bodies deform: has them stepped, among what flows round them, and draws them.
 #pragma once
 
-#include "engine/core/time/stopwatch.h"
 #include "engine/effects/effect.h"
-#include "engine/physics/force_field.h"
 
 #include <map>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace plumbline::effects {
 
 class Air;
 
 /// While it does not live, they stay as they are.
-class DeformableEffect : public Effect, public physics::ForceField {
+class DeformableEffect : public Effect {
 public:
     using List = std::span<scene::SceneDeformable> (scene::Simulation::*)();
     DeformableEffect(scene::Simulation& simulation,
@@ -34,14 +31,6 @@ public:
                  const scene::ViewPoint& view,
                  render::RenderFrame& frame) override;
 
-    bool acts_on(physics::BodyId body) const override;
-    void act(std::span<physics::BodyInField* const> bodies,
-             const physics::FieldTime& time) override;
-    void list_pairs(std::vector<Pair>& pairs) const override;
-    int substeps() const override;
-    double added_mass_kg(physics::BodyId body) const override;
-    bool carries() const override { return true; }
-
 private:
     struct Drawn {
         std::uint64_t step{~std::uint64_t{0}};
@@ -50,7 +39,8 @@ private:
     };
     std::span<scene::SceneDeformable> all() const { return (simulation_.*list_)(); }
     void set_fluids();
-    void set_fluids(physics::Deformable& body, const Air* air, bool has_water);
+    void set_fluids(scene::SceneDeformable& each, const Air* air, bool has_water);
+    void displace_water(scene::SceneDeformable& each);
     void warn_of_softness();
     void draw(const scene::SceneDeformable& each, double blend);
 
@@ -58,10 +48,8 @@ private:
     std::string name_;
     List list_;
     scene::Fidelity fidelity_;
-    std::vector<physics::BodyId> pushed_;  ///< bodies that they push in this step, by id
     std::map<ecs::Entity, Drawn> drawn_;
     std::set<ecs::Entity> said_;  ///< that it is softer than asked
-    LapTimer lap_;
 };
 
 }  // namespace plumbline::effects

@@ -176,7 +176,7 @@ void Character::Impl::update(const CharacterInput& input) {
     if (footing == Footing::Ground) {
         walk(wish);
     } else {
-        since_ground_s += dt;
+        lie_on(input.borne_N);
         fly(wish);
     }
     move_swept(way_to_gaps(), {});

@@ -10,6 +10,8 @@ namespace {
 constexpr Real kAirAcceleration_mps2 = 8;
 constexpr Real kWedgedAfter_s = 0.15_r;
 constexpr Real kCoyoteTime_s = 0.08_r;
+constexpr Real kBearing = 0.3_r;   ///< of the weight: what bears so much one can jump from
+constexpr Real kKnees_per_s = 12;  ///< the share of a rebound that they take
 
 }  // namespace
 
@@ -20,7 +22,9 @@ std::optional<Vec3> Character::Impl::jump_velocity() const {
     const Vec3 riding = ride ? ride->velocity : Vec3{0, 0, 0};
     Vec3 start = velocity;
     if (footing == Footing::Ground) start += riding;
-    start.y = std::max(riding.y, Real{0}) +
+    // What gives way may be throwing the person up at the moment.
+    const Real rising_mps = footing == Footing::Ground ? riding.y : velocity.y;
+    start.y = std::max(rising_mps, Real{0}) +
               std::sqrt(2 * std::max(gravity_mps2, Real{0}) * def.jump_height_m);
     return start;
 }
@@ -37,6 +41,18 @@ bool Character::Impl::try_land(const CapsuleContact& hit, const Vec3& fall_veloc
     velocity = level(relative);
     stand_on(support);
     return true;
+}
+
+void Character::Impl::lie_on(const Vec3& borne_N) {
+    const bool jumped = since_ground_s >= 1 && velocity.y > 0;
+    since_ground_s += dt;
+    if (!is_finite(borne_N)) return;
+    velocity += borne_N * (dt / def.mass_kg);
+    if (jumped || borne_N.y < kBearing * def.mass_kg * gravity_mps2) return;
+    since_ground_s = 0;
+    const Real still_mps = gravity_mps2 * dt / 2;  // what the fall of the coming step takes back
+    const Real rebound_mps = std::max(velocity.y - still_mps, Real{0});
+    velocity.y -= rebound_mps * (1 - portable_exp(-kKnees_per_s * dt));
 }
 
 void Character::Impl::fly(const Vec3& wish_velocity) {

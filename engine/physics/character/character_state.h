@@ -178,6 +178,8 @@ private:
     void leave_ground(const Vec3& velocity);
 
     // --- character_air.cpp
+    /// What gives way bears the person: one can jump from it.
+    void lie_on(const Vec3& borne_N);
     void fly(const Vec3& wish_velocity);
     bool try_land(const CapsuleContact& hit, const Vec3& velocity);
     /// The velocity to leave the ground with; none: there is nothing to jump from.

@@ -2,6 +2,7 @@
 
 #include "engine/core/io/archive.h"
 #include "engine/core/io/pose_archive.h"
+#include "engine/physics/deformable/part_contacts.h"
 #include "engine/physics/dynamics/rotation.h"
 #include "engine/physics/medium.h"
 #include "engine/physics/physics_world.h"
@@ -19,7 +20,6 @@ namespace {
 constexpr double kCalm_m = 1e-3;
 constexpr double kSettling_s = 1;
 constexpr double kSettling_per_s = 2;
-constexpr double kCalm_s = 2;
 /// Slower air keeps no sheet awake.
 constexpr double kStill_mps = 0.05;
 /// Of its weight: what a sheet's push on a sleeping body must have changed by for it to wake.
@@ -29,9 +29,6 @@ constexpr std::uint32_t kMostPlaces = 4;
 /// Of the speed that a push would give a free body: what one that is held gets at least.
 constexpr double kLeastYield = 1e-3;
 constexpr double kPushed_mps = 1e-4;
-/// Sub-steps between two plans, and of the time what is none.
-constexpr std::uint32_t kPlanned = 8;
-constexpr double kNoTime = 1e-9;
 /// How far bodies are looked for beyond what they and the sheet move in a step.
 constexpr double kMargin_m = 0.02;
 
@@ -60,7 +57,7 @@ Deformable::Deformable(const PhysicsWorld& world,
                        const DeformableDef& def)
     : body_(std::move(body)), def_(def) {
     def_.pins.clear();
-    if (def.self_collision) self_contacts_.emplace(*body_, def_.thickness_m, def_.friction);
+    if (def.self_collision) self_contacts_ = std::make_unique<PartContacts>(*body_, def_.surface);
     for (const DeformablePin& pin : def.pins) {
         if (body_->inverse_mass(pin.point) == 0) continue;
         body_->pin(pin.point);
@@ -73,10 +70,11 @@ Deformable::Deformable(const PhysicsWorld& world,
     }
 }
 
+Deformable::~Deformable() = default;
+
 void Deformable::strike(std::size_t point, const Vec3d& impulse_Ns) {
     body_->change_velocity(point, impulse_Ns * body_->inverse_mass(point));
-    asleep_ = false;
-    calm_s_ = 0;
+    wake();
 }
 
 void Deformable::grip(std::span<const std::uint32_t> points) {
@@ -87,8 +85,7 @@ void Deformable::grip(std::span<const std::uint32_t> points) {
         grip_.points.push_back(point);
         grip_.places_m.push_back(body_->positions_m()[point]);
     }
-    asleep_ = false;
-    calm_s_ = 0;
+    wake();
 }
 
 void Deformable::lead_grip(const Vec3d& by_m) {
@@ -108,11 +105,10 @@ void Deformable::set_frozen(bool frozen) {
 }
 
 void Deformable::begin_step(PhysicsWorld& world, double step_s) {
-    step_s_ = step_s;
-    if (!asleep_) wake_touched(world);
-    done_s_ = 0;
-    substeps_ = 0;
-    list_near(world);
+    if (!rest_.asleep) wake_touched(world);
+    done_ = {};
+    find_reach(step_s);
+    list_near(world, step_s);
     bool disturbed = !movable_.empty() || is_stirred_ || is_gripped() || is_blown();
     grip_.pulled_Ns = {0, 0, 0};
     is_stirred_ = false;
@@ -123,7 +119,7 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     }
     disturbed = disturbed || seen != seen_;
     seen_ = std::move(seen);
-    rest(step_s, disturbed);
+    note_rest(step_s, disturbed);
 }
 
 bool Deformable::is_blown() const {
@@ -133,7 +129,7 @@ bool Deformable::is_blown() const {
            });
 }
 
-void Deformable::list_near(const PhysicsWorld& world) {
+void Deformable::list_near(const PhysicsWorld& world, double step_s) {
     std::erase_if(holders_, [&](const Holder& holder) {
         const bool gone = holder.to && !world.contains(holder.to);
         if (gone) body_->unpin(holder.point);
@@ -149,6 +145,15 @@ void Deformable::list_near(const PhysicsWorld& world) {
         add_near(world, holder.to);
         near_.back().touches = false;
     }
+    const auto& [low, high] = reach_;
+    for (const BodyId id : bodies_in_box(world, Vec3(low - kAhead_m), Vec3(high + kAhead_m))) {
+        if (std::ranges::find(near_, id, &NearBody::id) == near_.end() &&
+            may_reach(world, id, low, high, step_s))
+            add_near(world, id);
+    }
+}
+
+void Deformable::find_reach(double step_s) {
     Vec3d low = body_->positions_m()[0];
     Vec3d high = low;
     double fastest2 = 0;
@@ -157,14 +162,8 @@ void Deformable::list_near(const PhysicsWorld& world) {
         high = glm::max(high, at);
     }
     for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
-    const double around_m = kMargin_m + def_.thickness_m + std::sqrt(fastest2) * step_s_;
-    low -= around_m;
-    high += around_m;
-    for (const BodyId id : bodies_in_box(world, Vec3(low - kAhead_m), Vec3(high + kAhead_m))) {
-        if (std::ranges::find(near_, id, &NearBody::id) == near_.end() &&
-            may_reach(world, id, low, high, step_s_))
-            add_near(world, id);
-    }
+    const double around_m = kMargin_m + def_.surface.thickness_m + std::sqrt(fastest2) * step_s;
+    reach_ = {low - around_m, high + around_m};
 }
 
 void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
@@ -178,8 +177,9 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
         near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
         near.radius_m = radius_m(world, id);
     }
+    near.is_kinematic = state.kind == BodyKind::Kinematic;
     near.belt = surface_motion(world, id);
-    near.friction = std::sqrt(def_.friction * friction_of(world, id));
+    near.friction = std::sqrt(def_.surface.friction * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);
         const double places = std::ceil(1.5 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
@@ -206,20 +206,27 @@ void Deformable::wake_touched(PhysicsWorld& world) {
     loads_ = std::move(loads);
 }
 
-void Deformable::rest(double step_s, bool disturbed) {
+void Deformable::note_rest(double step_s, bool disturbed) {
     const auto now = body_->positions_m();
     const auto has_moved = [](const Vec3d& a, const Vec3d& b) {
         return squared(a - b) > kCalm_m * kCalm_m;
     };
-    if (disturbed || !std::ranges::equal(now, calm_m_, std::not_fn(has_moved))) {
-        calm_m_.assign(now.begin(), now.end());
-        calm_s_ = 0;
+    if (disturbed || !std::ranges::equal(now, rest_.places_m, std::not_fn(has_moved))) {
+        rest_.places_m.assign(now.begin(), now.end());
+        disturb();
     }
-    calm_s_ += step_s;
-    if (calm_s_ > kSettling_s) body_->slow_down(portable_exp(-kSettling_per_s * step_s));
-    const bool sleeps = calm_s_ > kCalm_s;
-    if (sleeps && !asleep_) body_->slow_down(0);
-    asleep_ = sleeps;
+    rest_.calm_s += step_s;
+    if (rest_.calm_s > kSettling_s) slow_down(*body_, portable_exp(-kSettling_per_s * step_s));
+}
+
+void Deformable::fall_asleep(bool sleeps) {
+    if (sleeps && !rest_.asleep) slow_down(*body_, 0);
+    rest_.asleep = sleeps;
+}
+
+Vec3d Deformable::force_on(BodyId body) const {
+    const auto found = std::ranges::find(borne_, body, &Load::body);
+    return found == borne_.end() ? Vec3d{0, 0, 0} : found->force_N;
 }
 
 double Deformable::pinned_kg(BodyId body) const {
@@ -229,37 +236,33 @@ double Deformable::pinned_kg(BodyId body) const {
     return sum;
 }
 
-void Deformable::act(const PhysicsWorld& world,
-                     std::span<BodyInField* const> bodies,
-                     double seconds) {
-    done_s_ += seconds;
-    if (asleep_) return;
+void Deformable::begin_act(const PhysicsWorld& world,
+                           std::span<BodyInField* const> bodies,
+                           double seconds) {
     place_near(bodies, seconds);
-    contacts_.find(world, *body_, near_, def_.thickness_m, seconds);
-    if (self_contacts_) self_contacts_->find(*body_, seconds);
-    const Vec3d gravity_mps2(world.def().gravity_mps2);
+    contacts_.find(world, *body_, near_, def_.surface.thickness_m, seconds);
+    if (self_contacts_) self_contacts_->find(seconds);
     kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
-    const auto most = static_cast<std::uint32_t>(std::max(1.0, def_.substeps_per_s * seconds));
-    std::uint32_t taken = 0;
-    for (double left_s = seconds; left_s > kNoTime * seconds && body_->is_sound();) {
-        // Tension grows as it is drawn: planned anew every few sub-steps.
-        const std::uint32_t count = body_->plan(left_s, most > taken ? most - taken : 1);
-        for (std::uint32_t i = 0; i < std::clamp(count, 1U, kPlanned); ++i) {
-            substep(gravity_mps2, body_->substep_s(), left_s);
-            left_s -= body_->substep_s();
-            ++taken;
-        }
-    }
-    substeps_ += taken;
-    if (!body_->is_sound()) body_->put_back(kept_m_);
+    done_.taken = 0;
+    done_.most = static_cast<std::uint32_t>(std::max(1.0, def_.substeps_per_s * seconds));
+}
+
+std::uint32_t Deformable::plan(double left_s) {
+    return body_->plan(left_s, done_.most > done_.taken ? done_.most - done_.taken : 1);
+}
+
+void Deformable::end_act(const Vec3d& gravity_mps2, double seconds) {
+    done_.substeps += done_.taken;
     note_expected(gravity_mps2, seconds);
 }
 
-void Deformable::end_step(const PhysicsWorld& world) {
-    if (step_s_ - done_s_ > kNoTime * step_s_) act(world, {}, step_s_ - done_s_);
+void Deformable::end_step(double step_s) {
     felt_.clear();
+    if (!rest_.asleep) borne_.clear();
     for (const NearBody& near : near_) {
-        if (near.can_wake) felt_.push_back({.body = near.id, .force_N = near.felt_Ns / step_s_});
+        const Load load{.body = near.id, .force_N = near.felt_Ns / step_s};
+        if (near.can_wake) felt_.push_back(load);
+        if (near.is_kinematic && load.force_N != Vec3d{0, 0, 0}) borne_.push_back(load);
     }
 }
 
@@ -309,16 +312,26 @@ void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
     }
 }
 
-void Deformable::substep(const Vec3d& gravity_mps2, double h, double left_s) {
+void Deformable::lead(const Vec3d& gravity_mps2, double h, double left_s) {
     for (NearBody& near : near_) {
         if (near.falls) near.velocity_mps += gravity_mps2 * h;
     }
     lead_pins(h, left_s);
+}
+
+void Deformable::feel(const Vec3d& gravity_mps2) {
     body_->accelerate(gravity_mps2);
     load_holders();
-    if (self_contacts_) self_contacts_->solve(*body_, h);
+    ++done_.taken;
+}
+
+void Deformable::touch(double h) {
+    if (self_contacts_) self_contacts_->solve(h);
     contacts_.solve(*body_, near_, h);
-    body_->move();
+}
+
+void Deformable::move(double h) {
+    body_->move(h);
     contacts_.follow(*body_, near_, h);
     for (NearBody& near : near_) near.move(h);
 }
@@ -367,7 +380,8 @@ void Deformable::Grip::serialize(Archive& archive) {
 
 void Deformable::serialize(Archive& archive) {
     body_->serialize(archive);
-    archive(grip_, calm_m_, calm_s_, asleep_, seen_, loads_, felt_, expected_);
+    archive(
+        grip_, rest_.places_m, rest_.calm_s, rest_.asleep, seen_, loads_, felt_, borne_, expected_);
     const std::size_t count = body_->positions_m().size();
     archive.expect(
         grip_.points.size() == grip_.places_m.size() &&

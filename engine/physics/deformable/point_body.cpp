@@ -44,13 +44,9 @@ std::uint32_t PointBody::take_substeps(double seconds, double wanted, std::uint3
     return count;
 }
 
-void PointBody::slow_down(double share) {
-    for (Vec3d& velocity : velocities_mps_) velocity *= share;
-}
-
-void PointBody::move() {
+void PointBody::move(double seconds) {
     for (std::size_t i = 0; i < positions_m_.size(); ++i)
-        positions_m_[i] += velocities_mps_[i] * substep_s_;
+        positions_m_[i] += velocities_mps_[i] * seconds;
     after_move();
 }
 
@@ -69,7 +65,7 @@ void PointBody::put_back(std::span<const Vec3d> positions_m) {
 }
 
 PointTotals PointBody::totals() const {
-    PointTotals sum{.elastic_J = elastic_J(), .water_J = water_J()};
+    PointTotals sum{.elastic_J = elastic_J(), .water_J = water_J(), .displaced_m3 = displaced_m3()};
     for (std::size_t i = 0; i < masses_kg_.size(); ++i) {
         const Vec3d momentum_kgmps = velocities_mps_[i] * masses_kg_[i];
         sum.moment_kgm += positions_m_[i] * masses_kg_[i];
@@ -87,6 +83,11 @@ void PointBody::serialize(Archive& archive) {
                            inverse_masses_.size() == count,
                        "a deforming body has other points"))
         serialize_own(archive);
+}
+
+void slow_down(PointBody& body, double share) {
+    for (std::size_t i = 0; i < body.velocities_mps().size(); ++i)
+        body.lead(i, body.velocities_mps()[i] * share);
 }
 
 }  // namespace plumbline::physics

@@ -80,6 +80,12 @@ void SoftBody::list_parts(SurfaceParts& parts) const {
     for (const SoftGrid::Face& face : def_.grid.faces) {
         parts.triangles.push_back({face.points[0], face.points[1], face.points[2]});
         parts.triangles.push_back({face.points[0], face.points[2], face.points[3]});
+        for (std::size_t i = 0; i < 4; ++i) {
+            // Each side is one of two faces; they run along it one this way, one that.
+            const std::uint32_t from = face.points[i];
+            const std::uint32_t to = face.points[(i + 1) % 4];
+            if (from < to) parts.edges.push_back({from, to});
+        }
     }
 }
 
@@ -137,8 +143,9 @@ void SoftBody::resist(double waterline_m2) {
         const FluidAtPoint& water = fluids_[i];
         if (!(positions_m_[i].y < water.level_m)) continue;
         const Vec3d against = velocities_mps_[i] - water.flow_mps;
-        const double bobbing_ps = 2 * kRadiated * std::min(water.drag, 1.0) *
-                                  std::sqrt(water.weight_Npm3 * waterline_m2 / mass_kg());
+        const double radiated = water.has_waves ? 0 : 2 * kRadiated * std::min(water.drag, 1.0);
+        const double bobbing_ps =
+            radiated * std::sqrt(water.weight_Npm3 * waterline_m2 / mass_kg());
         const double drag_ps = drag_kgps_[i] / masses_kg_[i];
         const auto lost = [this](double rate_ps) { return 1 - 1 / (1 + rate_ps * substep_s_); };
         impulses_Ns_[i] -= against * (lost(drag_ps) * masses_kg_[i]);
@@ -153,6 +160,17 @@ double SoftBody::weight_of(std::size_t point) const {
     const double depth_m = water.level_m - positions_m_[point].y;
     const double under = std::clamp(depth_m / longest_side_m_ + 0.5, 0.0, 1.0);
     return 1 / (1 + kAddedShare * water.drag * under * water.density_kgpm3 / def_.density_kgpm3);
+}
+
+/// By the flux of the depth.
+double SoftBody::displaced_m3() const {
+    if (fluids_.empty()) return 0;
+    double sum = 0;
+    for_half_triangles(positions_m_, [&](const auto& points, const Vec3d& area_m2) {
+        const WetPart wet = wet_part(depths_m(points));
+        sum -= area_m2.y * (wet.of_corners_m[0] + wet.of_corners_m[1] + wet.of_corners_m[2]);
+    });
+    return std::max(sum, 0.0);
 }
 
 /// By the flux of half the depth's square.

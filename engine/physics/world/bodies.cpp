@@ -22,7 +22,8 @@ void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3
 }
 
 MassProperties mass_of(const BodyRecord& record) {
-    if (record.kind != BodyKind::Dynamic) return {};
+    if (record.kind != BodyKind::Dynamic)
+        return {.center_of_mass_m = record.traits.body_from_mass.position};
     return {.mass_kg = static_cast<Real>(record.traits.mass_kg),
             .inertia_kgm2 = Vec3{record.traits.inertia_kgm2},
             .center_of_mass_m = record.traits.body_from_mass.position};

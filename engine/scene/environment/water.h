@@ -5,8 +5,10 @@
 #include "engine/scene/environment/basin.h"
 #include "engine/scene/environment/wave_field.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace plumbline::scene {
 
@@ -18,5 +20,22 @@ struct SceneWater {
     std::unique_ptr<WaveField>
         waves{};  ///< of a surface that is not flat, while effect water lives
 };
+
+/// What something has under water.
+struct Displaced {
+    int water{-1};  ///< its number; below 0: none
+    double volume_m3{0};
+    double radius_m{0};  ///< of all of it
+    Vec3d place_m{0, 0, 0};
+    double gained_m3{0};  ///< in the latest step
+
+    void serialize(auto& archive) { archive(water, volume_m3, radius_m, place_m, gained_m3); }
+};
+
+/// How far the surface is above its level there, as such a thing feels it in the coming step.
+double felt_rise_m(const SceneWater& water, const Displaced& felt, const Vec3d& place_m);
+
+/// The waves of the waters know of `now` in place of `before`.
+void displace(std::span<SceneWater> waters, Displaced& before, const Displaced& now);
 
 }  // namespace plumbline::scene

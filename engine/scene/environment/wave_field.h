@@ -16,6 +16,9 @@ class Hasher;
 
 namespace plumbline::scene {
 
+/// Of a body's radius: waves shorter than some five times that pass it by, and it makes none.
+inline constexpr double kFeltOfRadius = 0.5;
+
 /// Heights above the level, as the sum of a_mn cos(m pi x / L) cos(n pi z / W). Each mode swings by itself with omega^2 = g k tanh(k H)
 /// (Lamb, Hydrodynamics, 228) and is stepped exactly: no length of a step is too long. Short waves decay. Bodies raise the
 /// surface by what they displace, and feel and make no waves shorter than themselves.

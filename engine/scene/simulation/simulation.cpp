@@ -107,12 +107,14 @@ void Simulation::step() {
     }
     move_along_paths();
     play_models();
+    if (!deformables.empty()) deformables.begin_step(step_s());
     if (stepped_elsewhere) {
         stepped_elsewhere();
     } else {
         const IgnoresInterrupts work;
         physics.step(force_fields.all());
     }
+    if (!deformables.empty()) deformables.end_step();
     charges_lit.clear();  // whoever lives by them took them before the step
     ++clock_.steps;
     if (switches.sun_rotation_radps != 0.0F) {
@@ -240,9 +242,11 @@ void Simulation::forget_destroyed() {
         return !registry.alive(moving.entity) || !physics.contains(moving.body);
     });
     for (auto* list : {&bodies_.cloths, &bodies_.softs}) {
-        std::erase_if(*list, [this](const SceneDeformable& each) {
+        std::erase_if(*list, [this](SceneDeformable& each) {
             if (registry.alive(each.entity)) return false;
             wake_round(physics, each.body->body().positions_m());
+            deformables.leave(*each.body);
+            displace(waters, each.displaced, {});
             return true;
         });
     }

@@ -295,14 +295,17 @@ void SimulationArchive::serialize_joints() {
 }
 
 void SimulationArchive::serialize_deformables() {
+    std::vector<physics::Deformable*> bodies;
     for (auto* list : {&simulation_.bodies_.cloths, &simulation_.bodies_.softs}) {
         for (SceneDeformable& each : *list) {
             const std::size_t points = each.before_m.size();
             each.body->serialize(archive_);
-            archive_(each.before_m);
+            archive_(each.before_m, each.displaced);
             if (!archive_.expect(each.before_m.size() == points, kOtherThings)) return;
+            bodies.push_back(each.body.get());
         }
     }
+    simulation_.deformables.serialize(archive_, bodies);
 }
 
 /// Those whose things went altogether are not made again.

@@ -62,8 +62,7 @@ Result<Done> Simulation::add_cloth(const ClothDescription& description) {
         .air_density_kgpm3 = static_cast<double>(description_.forces.air_density_kgpm3),
         .tear_Npm = description.tear_Npm};
     physics::DeformableDef def{
-        .thickness_m = description.thickness_m,
-        .friction = description.friction,
+        .surface = {.thickness_m = description.thickness_m, .friction = description.friction},
         .self_collision = description.self_collision,
         .substeps_per_s = kWork_ps[fidelity] / ((cells[0] + 1) * (cells[1] + 1)),
         .pins = {}};

@@ -94,8 +94,7 @@ Result<Done> Simulation::add_soft(const SoftDescription& description) {
     const Quatd turn(description.pose.orientation);
     for (Vec3d& point : grid.points_m) point = Vec3d(description.pose.position) + turn * point;
     physics::DeformableDef def{
-        .thickness_m = kThickness_m,
-        .friction = description.friction,
+        .surface = {.thickness_m = kThickness_m, .friction = description.friction},
         .substeps_per_s = kSoftWork_ps[fidelity] / static_cast<double>(grid.cells.size()),
         .pins = {}};
     for (const SoftPinDescription& pin : description.pins) {

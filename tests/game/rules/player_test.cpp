@@ -1,4 +1,5 @@
 // The person who walks: pace, strides and landings.
+#include "engine/effects/advance.h"
 #include "tests/game/rules/playground.h"
 
 namespace plumbline::game {
@@ -81,6 +82,40 @@ TEST(Player, WhoStandsIsNotHeardAndRunsInLongerStrides) {
     EXPECT_NEAR(static_cast<double>(run.footsteps.size()),
                 static_cast<double>(from - run.feet().z) / 1.1,
                 2);
+}
+
+/// A mattress of soft foam that starts in the air sinks below nobody: it bears the person, who walks on it and jumps from it.
+TEST(Player, StandsOnASoftBodyAndJumpsFromIt) {
+    scene::SceneDescription scene = meadow();
+    scene::SoftDescription mattress;
+    mattress.name = "mattress";
+    mattress.size_m = {3, 0.5, 3};
+    mattress.cell_m = 0.25;
+    mattress.young_Pa = 1e5;
+    mattress.density_kgpm3 = 100;
+    mattress.damping_s = 0.01;
+    mattress.pose.position = {0, 0.26_r, 0};
+    scene.forces.softs = {mattress};
+    scene.player->feet_position_m = {0, 1.8_r, 0};
+    Playground play(scene);
+    effects::EffectRuntime effects(*play.simulation, {});
+    const auto go_on = [&](double seconds, const Actions& actions = {}) {
+        for (int i = 0; i < static_cast<int>(seconds * 60 + 0.5); ++i)
+            effects::advance(*play.simulation, effects, *play.game, actions);
+    };
+    go_on(3);
+    const Real standing_m = play.feet().y;
+    EXPECT_GT(standing_m, 0.3_r);
+    EXPECT_LT(standing_m, 0.5_r);
+    go_on(1);
+    EXPECT_NEAR(play.feet().y, standing_m, 0.01);
+    go_on(0.5, hold({Action::Forward}));
+    EXPECT_LT(play.feet().z, -0.3_r);
+    EXPECT_NEAR(play.feet().y, standing_m, 0.1);
+    go_on(0.5);
+    effects::advance(*play.simulation, effects, *play.game, press({Action::Jump}));
+    go_on(0.3);
+    EXPECT_GT(play.feet().y, standing_m + 0.6_r);
 }
 
 }  // namespace

@@ -95,5 +95,32 @@ TEST(Water, WhatGoesTakesItsVolumeAlong) {
     EXPECT_NEAR(run->waters.front().waves->range().mean_m, 0, 1e-9);
 }
 
+TEST(Water, ASoftBodyMakesWavesAndTakesItsVolumeAlong) {
+    scene::SceneDescription scene = wavy({});
+    scene::SoftDescription soft;
+    soft.name = "jelly";
+    soft.size_m = {1, 1, 1};
+    soft.cell_m = 0.25;
+    soft.density_kgpm3 = 600;
+    soft.damping_s = 0.01;
+    soft.pose.position = {1, 9, 0};
+    scene.forces.softs = {soft};
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(70, effects);
+    EXPECT_TRUE(run->waters.front().waves->is_asleep()) << "it is still in the air";
+    run.step(80, effects);
+    EXPECT_GT(run->waters.front().waves->energy_J(), 5) << "it fell in";
+    for (int i = 0; i < 10; ++i) {
+        run.step(30, effects);
+        EXPECT_NEAR(run->waters.front().waves->range().mean_m,
+                    run->softs().front().displaced.volume_m3 / (18 * 18),
+                    1e-9);
+    }
+    run->registry.mark_for_destruction(run->softs().front().entity);
+    run.step(2, effects);
+    EXPECT_NEAR(run->waters.front().waves->range().mean_m, 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace plumbline::effects

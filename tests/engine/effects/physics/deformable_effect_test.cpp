@@ -82,6 +82,30 @@ TEST(DeformableEffect, SleepsAndCostsNothingThen) {
     EXPECT_EQ(line_of(effects, "cloth").calls, calls);
 }
 
+/// Each of the two effects by itself, and both together.
+TEST(DeformableEffect, ClothTouchesASoftBodyWhileBothAreCalledFor) {
+    SceneDescription scene = curtain();
+    scene.entities.pop_back();
+    scene::ClothDescription& sheet = scene.forces.cloths.front();
+    sheet.pins.clear();
+    sheet.damping_s = 0.03;
+    sheet.pose.position = {2, 0.75_r, 0};
+    sheet.pose.orientation = glm::angleAxis(1.5707963_r, Vec3{1, 0, 0});
+    const auto highest_m = [](const test::Running& run) {
+        double highest = 0;
+        for (const Vec3d& at : run.simulation->cloths().front().body->body().positions_m())
+            highest = std::max(highest, at.y);
+        return highest;
+    };
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(180, effects);
+    EXPECT_GT(highest_m(run), 0.38) << "over a jelly of 0.4 m";
+    run->switches.turn("soft", false);
+    run.step(120, effects);
+    EXPECT_LT(highest_m(run), 0.3) << "what stands still is not touched";
+}
+
 TEST(DeformableEffect, SaysOnceWhatIsSofterThanAsked) {
     SceneDescription scene = curtain();
     scene.forces.cloths.front().stretch_Npm = 1e7;

@@ -71,7 +71,7 @@ TEST(Explosion, StrikesClothAndSoftBodies) {
     soft.name = "block";
     soft.size_m = {2, 2, 2};
     soft.cell_m = 0.25;
-    soft.pose.position = {2, 0, 0};
+    soft.pose.position = {2.005_r, 0, 0};
     scene.forces.softs = {soft};
     for (const double z : {1.0, -1.0}) {
         scene::ClothDescription cloth;

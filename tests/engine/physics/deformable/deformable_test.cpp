@@ -1,6 +1,5 @@
 // Deforming bodies among rigid ones: who holds, touches, carries and wakes whom.
-#include "engine/physics/deformable.h"
-
+#include "engine/physics/deformables.h"
 #include "engine/physics/sheet.h"
 #include "engine/physics/soft_grid.h"
 #include "tests/engine/physics/test_world.h"
@@ -15,27 +14,18 @@ namespace {
 const Quatd kLevel = glm::angleAxis(1.5707963267948966, Vec3d{1, 0, 0});
 
 /// The body of a test as an effect would have it.
-struct Field final : ForceField {
+struct Field {
     Field(PhysicsWorld& in, std::unique_ptr<PointBody> body, const DeformableDef& def)
-        : world(in), deformable(in, std::move(body), def) {}
-
-    bool acts_on(BodyId body) const override {
-        return std::ranges::find(deformable.movable(), body) != deformable.movable().end();
-    }
-    void act(std::span<BodyInField* const> bodies, const FieldTime& time) override {
-        deformable.act(world, bodies, time.h_s);
-    }
-    int substeps() const override { return 4; }
-    double added_mass_kg(BodyId body) const override { return deformable.pinned_kg(body); }
-    bool carries() const override { return true; }
+        : world(in), deformable(in, std::move(body), def), all(in) {}
 
     void run(double seconds) {
         const double step_s = world.def().step_s;
         for (int i = 0; i < static_cast<int>(seconds / step_s + 0.5); ++i) {
-            deformable.begin_step(world, step_s);
-            ForceField* const self = this;
-            world.step({&self, 1});
-            deformable.end_step(world);
+            all.enter(deformable, 4);
+            all.begin_step(step_s);
+            ForceField* const field = &all;
+            world.step({&field, 1});
+            all.end_step();
         }
     }
     Vec3d lowest_m() const {
@@ -48,6 +38,7 @@ struct Field final : ForceField {
 
     PhysicsWorld& world;
     Deformable deformable;
+    Deformables all;
 };
 
 std::unique_ptr<PointBody> cloth_at(double height_m, double size_m, std::uint32_t cells) {
@@ -62,7 +53,7 @@ std::unique_ptr<PointBody> cloth_at(double height_m, double size_m, std::uint32_
 }
 
 DeformableDef held_all_round(std::uint32_t cells) {
-    DeformableDef def{.thickness_m = 0.01, .pins = {}};
+    DeformableDef def{.surface = {.thickness_m = 0.01}, .pins = {}};
     for (std::uint32_t i = 0; i <= cells; ++i) {
         for (const std::uint32_t point :
              {i, cells * (cells + 1) + i, i * (cells + 1), i * (cells + 1) + cells})
@@ -71,11 +62,30 @@ DeformableDef held_all_round(std::uint32_t cells) {
     return def;
 }
 
+/// Static and kinematic bodies whose centre of mass is not their origin.
+TEST(Deformable, ClothLiesOnWhatIsBuiltBesideItsOrigin) {
+    TestWorld test(in_small_steps());
+    const BoxShape top{{2, 0.2_r, 2}};
+    const CompoundShape table{{{.shape = top, .body_from_child = {.position = {0.3_r, 0.4_r, 0}}},
+                               {.shape = top, .body_from_child = {.position = {0.3_r, -2, 0}}}}};
+    for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
+        const BodyId body = test.add(table, {0, 0, 0}, {.kind = kind});
+        Field cloth(test.world, cloth_at(0.55, 0.5, 8), {.pins = {}});
+        cloth.run(0.5);
+        EXPECT_NEAR(cloth.lowest_m().y, 0.5 + 0.002, 2e-4);
+        test.world.destroy_body(body);
+    }
+    test.ground();
+    Field cloth(test.world, cloth_at(0.05, 0.5, 8), {.pins = {}});
+    cloth.run(0.5);
+    EXPECT_NEAR(cloth.lowest_m().y, 0.002, 2e-4);
+}
+
 TEST(Deformable, ClothDrapesOverWhatStands) {
     TestWorld test(in_small_steps());
     test.ground();
     test.add(SphereShape{0.3_r}, {0, 0.3_r, 0}, {.kind = BodyKind::Static});
-    Field cloth(test.world, cloth_at(0.8, 1, 12), {.thickness_m = 0.004, .pins = {}});
+    Field cloth(test.world, cloth_at(0.8, 1, 12), {.surface = {.thickness_m = 0.004}, .pins = {}});
     cloth.run(3);
     for (const Vec3d& at : cloth.deformable.body().positions_m()) {
         EXPECT_GT(at.y, 0.001);
@@ -177,7 +187,7 @@ TEST(Deformable, AHeavyJellyRestsOnALightBox) {
     for (Vec3d& point : grid.points_m) point.y += 0.75;
     Field jelly(test.world,
                 std::make_unique<SoftBody>(SoftBodyDef{.grid = grid, .damping_s = 0.02}),
-                {.thickness_m = 0.001, .pins = {}});
+                {.surface = {.thickness_m = 0.001}, .pins = {}});
     jelly.run(4);
     const PointBody& body = jelly.deformable.body();
     EXPECT_NEAR(body.totals().moment_kgm.y / body.mass_kg(), 0.64, 0.03);
@@ -187,7 +197,7 @@ TEST(Deformable, AHeavyJellyRestsOnALightBox) {
 // The hand bears its weight, goes where it is led, and leaves it as it was.
 TEST(Deformable, AGripCarriesItAndLetsGo) {
     TestWorld test;
-    Field field(test.world, cloth_at(2, 0.4, 4), {.thickness_m = 0.01, .pins = {}});
+    Field field(test.world, cloth_at(2, 0.4, 4), {.surface = {.thickness_m = 0.01}, .pins = {}});
     field.run(0.1);
     const std::vector<std::uint32_t> middle{12};
     field.deformable.grip(middle);

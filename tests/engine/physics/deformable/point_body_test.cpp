@@ -35,7 +35,7 @@ TEST(PointBody, ForcesBecomeMotion) {
     Dust dust;
     EXPECT_EQ(dust.plan(0.5, 9), 1U);
     dust.accelerate({0, -10, 0});
-    dust.move();
+    dust.move(dust.substep_s());
     EXPECT_EQ(dust.velocities_mps()[0], (Vec3d{0, -5, 0}));
     EXPECT_EQ(dust.velocities_mps()[1], (Vec3d{1.5, -5, 0}));
     EXPECT_EQ(dust.positions_m()[2], (Vec3d{0, -0.5, 0}));
@@ -45,7 +45,7 @@ TEST(PointBody, ForcesBecomeMotion) {
     EXPECT_EQ(sum.elastic_J, 7);
     EXPECT_NEAR(sum.moment_kgm.y, -2.5 * 3 + 3 * -0.5, 1e-12);
     EXPECT_NEAR(dust.mass_kg(), 6, 1e-12);
-    dust.slow_down(0);
+    slow_down(dust, 0);
     EXPECT_EQ(dust.totals().kinetic_J, 0);
 }
 
@@ -57,7 +57,7 @@ TEST(PointBody, PinnedPointsGoWhereTheyAreLed) {
     dust.lead(1, {0, 2, 0});
     dust.accelerate({0, -10, 0});
     dust.change_velocity(0, {0, 5, 0});
-    dust.move();
+    dust.move(dust.substep_s());
     EXPECT_EQ(dust.positions_m()[1], (Vec3d{1, 1, 0}));
     EXPECT_EQ(dust.positions_m()[0], (Vec3d{0, 0, 0}));
     EXPECT_EQ(dust.support_Ns(1), (Vec3d{3, -10, 0}));
@@ -84,7 +84,7 @@ TEST(PointBody, IsRestored) {
     dust.pin(2);
     dust.plan(0.5, 1);
     dust.accelerate({1, 2, 3});
-    dust.move();
+    dust.move(dust.substep_s());
     Archive out;
     dust.serialize(out);
     const std::string bytes = out.take();

@@ -17,7 +17,7 @@ void run_sheet(Sheet& sheet, int steps, const Vec3d& gravity_mps2, std::uint32_t
         const std::uint32_t count = sheet.plan(kSheetStep_s, most);
         for (std::uint32_t k = 0; k < count; ++k) {
             sheet.accelerate(gravity_mps2);
-            sheet.move();
+            sheet.move(sheet.substep_s());
         }
     }
 }

@@ -15,9 +15,9 @@ void run_soft(SoftBody& soft, int steps, const Vec3d& gravity_mps2, double kept 
         const std::uint32_t count = soft.plan(kSoftStep_s, 500);
         for (std::uint32_t k = 0; k < count; ++k) {
             soft.accelerate(gravity_mps2);
-            soft.move();
+            soft.move(soft.substep_s());
         }
-        soft.slow_down(kept);
+        slow_down(soft, kept);
     }
 }
 
@@ -88,8 +88,8 @@ TEST(SoftBody, ComesBackFromFlatAndInsideOut) {
         soft.plan(1e-6, 1);
         for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
             soft.change_velocity(i, {0, -squeezed * soft.positions_m()[i].y / 1e-6, 0});
-        soft.move();
-        soft.slow_down(0);
+        soft.move(soft.substep_s());
+        slow_down(soft, 0);
         EXPECT_NEAR(soft.volume_m3(), 1 - squeezed, 1e-9);
         run_soft(soft, 600, {0, 0, 0}, 0.95);
         // Turned inside out, a corner may keep a dent.
@@ -111,7 +111,7 @@ TEST(SoftBody, WhereSubStepsAreFewItIsSofter) {
         const std::uint32_t count = soft.plan(kSoftStep_s, 5);
         for (std::uint32_t k = 0; k < count; ++k) {
             soft.accelerate({0, -9.81, 0});
-            soft.move();
+            soft.move(soft.substep_s());
         }
     }
     EXPECT_LT(glm::length(right_m(soft)), 3);

@@ -50,6 +50,7 @@ TEST(SoftSurface, LiftIsTheWeightOfTheWaterDisplaced) {
         const double draft_m = std::clamp(level_m + 0.25, 0.0, 0.5);
         const Push push = push_on(soft);
         EXPECT_NEAR(push.force_N.y, kWater_Npm3 * draft_m, 1e-6) << level_m;
+        EXPECT_NEAR(soft.totals().displaced_m3, draft_m, 1e-9);
         EXPECT_NEAR(push.force_N.x, 0, 1e-6);
         EXPECT_NEAR(glm::length(push.moment_Nm), 0, 1e-6);
     }
@@ -74,14 +75,14 @@ TEST(SoftSurface, ForcesAreTheSlopeOfTheEnergy) {
     for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
         soft.change_velocity(i, Vec3d{0.3, 0.2, -0.1} * std::sin(static_cast<double>(3 * i)));
     soft.plan(0.1, 1);
-    soft.move();
+    soft.move(soft.substep_s());
     soft.put_back(std::vector<Vec3d>(soft.positions_m().begin(), soft.positions_m().end()));
     flood(soft, 0.03, 0);
     soft.plan(kFloatStep_s, 1);
     const double before_J = soft.totals().water_J + soft.totals().elastic_J;
     soft.accelerate({0, 0, 0});
     const double moving_J = soft.totals().kinetic_J;
-    soft.move();
+    soft.move(soft.substep_s());
     const double after_J = soft.totals().water_J + soft.totals().elastic_J;
     // From rest over h: dE = -F dt F dt / m = -2 kinetic energy, to the order of h.
     EXPECT_GT(moving_J, 1e-9);

@@ -81,7 +81,7 @@ TEST(SurfaceContacts, FollowTheMotion) {
     over.throw_all({0, -1, 0});
     over.find();
     over.contacts.solve(over.sheet, over.near, kContactStep_s);
-    over.sheet.move();
+    over.sheet.move(over.sheet.substep_s());
     over.contacts.follow(over.sheet, over.near, kContactStep_s);
     over.contacts.solve(over.sheet, over.near, kContactStep_s);
     for (const Vec3d& v : over.sheet.velocities_mps()) EXPECT_NEAR(v.y, 0, 1e-4);

@@ -34,7 +34,7 @@ struct OnePoint {
     }
 };
 
-void expect_near(const Vec3& is, const Vec3& wanted) {
+void expect_place_near(const Vec3& is, const Vec3& wanted) {
     EXPECT_NEAR(static_cast<double>(glm::distance(is, wanted)), 0, 1e-5);
 }
 
@@ -44,8 +44,8 @@ TEST(ContactFollow, APointTurnsWithItsBody) {
     const Real sine = std::sin(0.2_r);
     const Real cosine = std::cos(0.2_r);
     const Vec3 arm{0.5_r * sine, -0.5_r * cosine, 0};
-    expect_near(lane(on.contact.angular_a, 0), glm::cross(arm, Vec3{0, 1, 0}));
-    expect_near(on.contact.center_a, arm);
+    expect_place_near(lane(on.contact.angular_a, 0), glm::cross(arm, Vec3{0, 1, 0}));
+    expect_place_near(on.contact.center_a, arm);
     EXPECT_NEAR(static_cast<double>(on.contact.separation_m[0]), 0.5 * (1 - std::cos(0.2)), 1e-6);
 }
 
@@ -53,7 +53,7 @@ TEST(ContactFollow, APointTurnsWithItsBody) {
 TEST(ContactFollow, APointStaysWhereTheBodyTurnsFar) {
     OnePoint on;
     on.turn({0, 0, 1}, 1);
-    expect_near(on.contact.center_a, {0, -0.5_r, 0});
+    expect_place_near(on.contact.center_a, {0, -0.5_r, 0});
 }
 
 // A disc of 0.5 m that stands on its rim: the lowest point stays lowest as it rolls, and goes along as it turns about the vertical.
@@ -62,7 +62,7 @@ TEST(ContactFollow, ARimStaysWhereItIsAsItRolls) {
     rolling.contact.axis_a = {0, 0, 1};
     rolling.contact.rolls = true;
     rolling.turn({0, 0, 1}, 0.3_r);
-    expect_near(rolling.contact.center_a, {0, -0.5_r, 0});
+    expect_place_near(rolling.contact.center_a, {0, -0.5_r, 0});
     EXPECT_NEAR(static_cast<double>(rolling.contact.separation_m[0]), 0, 1e-6);
 
     OnePoint leaning;
@@ -71,10 +71,10 @@ TEST(ContactFollow, ARimStaysWhereItIsAsItRolls) {
     leaning.contact.rolls = true;
     set_lane(leaning.contact.offset_a, 0, {0, -0.5_r * std::cos(lean), 0.5_r * std::sin(lean)});
     leaning.turn({0, 1, 0}, 0.3_r);
-    expect_near(leaning.contact.center_a,
-                {0.5_r * std::sin(lean) * std::sin(0.3_r),
-                 -0.5_r * std::cos(lean),
-                 0.5_r * std::sin(lean) * std::cos(0.3_r)});
+    expect_place_near(leaning.contact.center_a,
+                      {0.5_r * std::sin(lean) * std::sin(0.3_r),
+                       -0.5_r * std::cos(lean),
+                       0.5_r * std::sin(lean) * std::cos(0.3_r)});
 }
 
 // A plate turns on a fixed roller of 0.4 m: it touches farther out by radius times angle, and its normal goes along.
@@ -84,7 +84,7 @@ TEST(ContactFollow, AFaceTakesTheNormalAlong) {
     on.contact.face_turns = true;
     set_lane(on.contact.offset_a, 0, {0, 0, 0});  // thin
     on.turn({0, 0, 1}, 0.1_r);
-    expect_near(on.contact.normal, {-std::sin(0.1_r), std::cos(0.1_r), 0});
+    expect_place_near(on.contact.normal, {-std::sin(0.1_r), std::cos(0.1_r), 0});
     const Vec3 across{std::cos(0.1_r), std::sin(0.1_r), 0};
     EXPECT_NEAR(
         static_cast<double>(glm::dot(on.contact.center_a, across)), -0.4 * std::sin(0.1), 1e-5);

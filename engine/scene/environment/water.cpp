@@ -1,0 +1,30 @@
+#include "engine/scene/environment/water.h"
+
+namespace plumbline::scene {
+
+/// The mean over the step: what it is about to displace itself lifts the surface on the way.
+double felt_rise_m(const SceneWater& water, const Displaced& felt, const Vec3d& place_m) {
+    if (!water.waves) return 0;
+    const double felt_m = kFeltOfRadius * felt.radius_m;
+    double rise_m = water.waves->height_m(place_m.x, place_m.z, felt_m);
+    if (felt.gained_m3 != 0)
+        rise_m += 0.5 * felt.gained_m3 *
+                  water.waves->response_pm2(felt.place_m.x, felt.place_m.z, felt_m);
+    return rise_m;
+}
+
+void displace(std::span<SceneWater> waters, Displaced& before, const Displaced& now) {
+    const auto add = [waters](const Displaced& of, double volume_m3) {
+        const auto number = static_cast<std::size_t>(of.water);
+        if (of.water < 0 || number >= waters.size() || !waters[number].waves) return;
+        waters[number].waves->displace(of.place_m, kFeltOfRadius * of.radius_m, volume_m3);
+        waters[number].waves->raise_level(volume_m3);
+    };
+    if (before.volume_m3 != 0) add(before, -before.volume_m3);
+    if (now.volume_m3 != 0) add(now, now.volume_m3);
+    const double gained_m3 = now.volume_m3 - before.volume_m3;
+    before = now;
+    before.gained_m3 = gained_m3;
+}
+
+}  // namespace plumbline::scene
