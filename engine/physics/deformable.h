@@ -144,6 +144,8 @@ private:
     void end_act(const Vec3d& gravity_mps2, double seconds);
     void end_step(double step_s);
 
+    /// Of those bodies that are near `first`, too, there is one motion.
+    void share_motions(Deformable& first);
     void disturb() { rest_.calm_s = 0; }
     void wake() {
         rest_.asleep = false;

@@ -60,7 +60,7 @@ private:
     /// Those that may touch each other within the step, directly or by others.
     struct Group {
         std::vector<Deformable*> bodies;
-        std::vector<PartContacts*> contacts;
+        std::vector<PartContacts*> contacts;  ///< of one with itself, too
         std::vector<BodyId> movable;
         double done_s{0};
         double cpu_ms{0};

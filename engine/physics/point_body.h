@@ -26,6 +26,7 @@ struct SurfaceParts {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<std::uint32_t, 2>> edges;
     bool encloses{false};  ///< the triangles enclose it, counter-clockwise from outside
+    std::size_t torn{0};   ///< what was, when they were listed
 };
 
 /// What flows round a point, for a step: air, and water below its level.
@@ -100,6 +101,7 @@ public:
     std::vector<FluidAtPoint>& fluids() { return fluids_; }
     /// Places that may touch others, `along` of them on the side of each cell, both corners counted as one.
     virtual std::vector<SurfacePlace> places(std::uint32_t along) const = 0;
+    /// Nothing is done where they are listed already as they are.
     virtual void list_parts(SurfaceParts& parts) const { parts = {}; }
     virtual double longest_side_m() const = 0;  ///< of a cell at rest
     PointTotals totals() const;

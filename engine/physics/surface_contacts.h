@@ -19,34 +19,52 @@ struct SurfaceTraits {
     double friction{0.5};
 };
 
-/// A rigid body near a deforming one, as it moves through a sub-step.
-struct NearBody {
-    BodyId id{};
+/// A rigid body as it moves through a sub-step.
+struct NearMotion {
     BodyInField* state{nullptr};  ///< null: it does not feel what touches it
     Vec3d center_m{0, 0, 0};
     Quatd world_from_mass{1, 0, 0, 0};
     Vec3d velocity_mps{0, 0, 0};  ///< of the centre of mass
     Vec3d spin_radps{0, 0, 0};
-    SurfaceMotion belt{};
     bool falls{false};  ///< by gravity
     double inverse_mass{0};
     Vec3d inverse_inertia{0, 0, 0};  ///< principal
+    Vec3d start_mps{0, 0, 0};
+    Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
+
+    /// `body`: in the middle of a sub-step of so long; null: it goes on as it was.
+    void start(BodyInField* body, double seconds);
+    /// Of the speed that a push would give it if it were free. It has a state.
+    void give_way(double share);
+    void push(const Vec3d& impulse_Ns, const Vec3d& arm_m);
+    void move(double h);
+};
+
+/// A rigid body near a deforming one.
+struct NearBody {
+    BodyId id{};
+    NearMotion own{};
+    NearMotion* shared{
+        nullptr};  ///< of another deforming body that takes its sub-steps along; null: its own
+    SurfaceMotion belt{};
     double friction{0};
     double radius_m{0};       ///< of one that moves
     std::uint32_t places{1};  ///< along a cell's side that may touch it
     bool touches{true};       ///< else it only holds pins
     bool can_wake{false};     ///< asleep, and dynamic
     bool is_kinematic{false};
-    Vec3d start_mps{0, 0, 0};
-    Vec3d pushed_Ns{0, 0, 0};  ///< within the sub-step
-    Vec3d felt_Ns{0, 0, 0};    ///< in the step
+    Vec3d felt_Ns{0, 0, 0};  ///< in the step
 
+    NearMotion& motion() { return shared != nullptr ? *shared : own; }
+    const NearMotion& motion() const { return shared != nullptr ? *shared : own; }
     /// `arm_m`: from its centre of mass.
-    void push(const Vec3d& impulse_Ns, const Vec3d& arm_m);
-    void move(double h);
+    void push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
+        felt_Ns += impulse_Ns;
+        motion().push(impulse_Ns, arm_m);
+    }
     /// Whether what lies on it is carried along.
     bool carries() const {
-        return velocity_mps != Vec3d{0, 0, 0} || spin_radps != Vec3d{0, 0, 0} ||
+        return own.velocity_mps != Vec3d{0, 0, 0} || own.spin_radps != Vec3d{0, 0, 0} ||
                belt.velocity_mps != Vec3{0, 0, 0} || belt.spin_radps != Vec3{0, 0, 0};
     }
 };

@@ -169,12 +169,12 @@ void Deformable::find_reach(double step_s) {
 void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const BodyState state = world.state(id);
     NearBody near{.id = id,
-                  .center_m = Vec3d(state.center_of_mass_world()),
-                  .world_from_mass = world_from_mass(world, id),
-                  .spin_radps = Vec3d(state.angular_velocity_radps)};
-    const Vec3d arm = near.center_m - Vec3d(state.world_from_body.position);
+                  .own = {.center_m = Vec3d(state.center_of_mass_world()),
+                          .world_from_mass = world_from_mass(world, id),
+                          .spin_radps = Vec3d(state.angular_velocity_radps)}};
+    const Vec3d arm = near.own.center_m - Vec3d(state.world_from_body.position);
     if (state.kind != BodyKind::Static) {
-        near.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.spin_radps, arm);
+        near.own.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.own.spin_radps, arm);
         near.radius_m = radius_m(world, id);
     }
     near.is_kinematic = state.kind == BodyKind::Kinematic;
@@ -241,7 +241,6 @@ void Deformable::begin_act(const PhysicsWorld& world,
                            double seconds) {
     place_near(bodies, seconds);
     contacts_.find(world, *body_, near_, def_.surface.thickness_m, seconds);
-    if (self_contacts_) self_contacts_->find(seconds);
     kept_m_.assign(body_->positions_m().begin(), body_->positions_m().end());
     done_.taken = 0;
     done_.most = static_cast<std::uint32_t>(std::max(1.0, def_.substeps_per_s * seconds));
@@ -266,28 +265,19 @@ void Deformable::end_step(double step_s) {
     }
 }
 
-/// From the middle of the sub-step back to its start.
+void Deformable::share_motions(Deformable& first) {
+    for (NearBody& near : near_) {
+        const auto same = std::ranges::find(first.near_, near.id, &NearBody::id);
+        if (near.shared == nullptr && same != first.near_.end()) near.shared = &same->motion();
+    }
+}
+
 void Deformable::place_near(std::span<BodyInField* const> bodies, double seconds) {
     for (NearBody& near : near_) {
-        near.state = nullptr;
-        near.inverse_mass = 0;
-        near.inverse_inertia = {0, 0, 0};
-        near.falls = false;
+        if (near.shared != nullptr) continue;
         const auto found = std::ranges::find(bodies, near.id, &BodyInField::id);
-        if (found == bodies.end()) continue;
-        const BodyInField& body = **found;
-        near.state = *found;
-        near.velocity_mps = body.velocity_mps - 0.5 * body.gain_mps;
-        near.start_mps = near.velocity_mps;
-        near.pushed_Ns = {0, 0, 0};
-        near.spin_radps = body.spin_radps;
-        near.center_m = body.center_m - near.velocity_mps * (seconds / 2);
-        near.world_from_mass =
-            glm::normalize(turn_by(body.spin_radps, -seconds / 2) * body.world_from_mass);
-        const double yields = yield_of(near.id, near.velocity_mps);
-        near.inverse_mass = yields / body.mass_kg;
-        near.inverse_inertia = yields / body.inertia_kgm2;
-        near.falls = yields > 0.5;
+        near.own.start(found == bodies.end() ? nullptr : *found, seconds);
+        if (near.own.state != nullptr) near.own.give_way(yield_of(near.id, near.own.start_mps));
     }
 }
 
@@ -304,17 +294,19 @@ double Deformable::yield_of(BodyId body, const Vec3d& start_mps) const {
 void Deformable::note_expected(const Vec3d& gravity_mps2, double seconds) {
     expected_.clear();
     for (const NearBody& near : near_) {
-        if (near.state == nullptr) continue;
-        const Vec3d pushed_mps = near.pushed_Ns / near.state->mass_kg;
-        expected_.push_back({.body = near.id,
-                             .pushed_mps = pushed_mps,
-                             .velocity_mps = near.start_mps + gravity_mps2 * seconds + pushed_mps});
+        const NearMotion& motion = near.own;
+        if (near.shared != nullptr || motion.state == nullptr) continue;
+        const Vec3d pushed_mps = motion.pushed_Ns / motion.state->mass_kg;
+        expected_.push_back(
+            {.body = near.id,
+             .pushed_mps = pushed_mps,
+             .velocity_mps = motion.start_mps + gravity_mps2 * seconds + pushed_mps});
     }
 }
 
 void Deformable::lead(const Vec3d& gravity_mps2, double h, double left_s) {
     for (NearBody& near : near_) {
-        if (near.falls) near.velocity_mps += gravity_mps2 * h;
+        if (near.shared == nullptr && near.own.falls) near.own.velocity_mps += gravity_mps2 * h;
     }
     lead_pins(h, left_s);
 }
@@ -326,14 +318,15 @@ void Deformable::feel(const Vec3d& gravity_mps2) {
 }
 
 void Deformable::touch(double h) {
-    if (self_contacts_) self_contacts_->solve(h);
     contacts_.solve(*body_, near_, h);
 }
 
 void Deformable::move(double h) {
     body_->move(h);
     contacts_.follow(*body_, near_, h);
-    for (NearBody& near : near_) near.move(h);
+    for (NearBody& near : near_) {
+        if (near.shared == nullptr) near.own.move(h);
+    }
 }
 
 /// As what holds them moves; what they have fallen behind, as it may jump, they make up for in the rest of the bodies' sub-step.
@@ -342,7 +335,7 @@ void Deformable::lead_pins(double h, double left_s) {
         Vec3d start = holder.in_mass_m;
         Vec3d end = start;
         if (holder.to) {
-            const NearBody& near = near_[holder.near];
+            const NearMotion& near = near_[holder.near].motion();
             const Quatd then = turn_by(near.spin_radps, h) * near.world_from_mass;
             start = near.center_m + near.world_from_mass * holder.in_mass_m;
             end = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
@@ -361,7 +354,7 @@ void Deformable::load_holders() {
         if (!holder.to) continue;
         NearBody& near = near_[holder.near];
         near.push(body_->support_Ns(holder.point),
-                  body_->positions_m()[holder.point] - near.center_m);
+                  body_->positions_m()[holder.point] - near.motion().center_m);
     }
     for (const std::uint32_t point : grip_.points) grip_.pulled_Ns += body_->support_Ns(point);
 }

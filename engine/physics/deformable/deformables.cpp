@@ -124,7 +124,14 @@ void Deformables::list_groups() {
             place[i] = groups_.size();
             groups_.emplace_back();
         }
-        groups_[place[group_of[i]]].bodies.push_back(bodies_[i]);
+        Group& group = groups_[place[group_of[i]]];
+        group.bodies.push_back(bodies_[i]);
+        if (PartContacts* own = bodies_[i]->self_contacts_.get()) group.contacts.push_back(own);
+    }
+    for (Group& group : groups_) {
+        for (std::size_t i = 1; i < group.bodies.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) group.bodies[i]->share_motions(*group.bodies[k]);
+        }
     }
     for (Touch& touch : touches_)
         groups_[place[group_of[number_of(touch.first)]]].contacts.push_back(touch.contacts.get());
@@ -179,12 +186,15 @@ double Deformables::cpu_ms(const Deformable& body) const {
 }
 
 void Deformables::act(Group& group, std::span<BodyInField* const> bodies, double seconds) {
+    const bool is_first = group.done_s == 0;
     group.done_s += seconds;
     if (group.is_asleep()) return;
     LapTimer lap;
     lap.start();
     for (Deformable* body : group.bodies) body->begin_act(world_, bodies, seconds);
-    for (PartContacts* contacts : group.contacts) contacts->find(seconds);
+    for (PartContacts* contacts : group.contacts) {
+        if (is_first) contacts->find(step_s_);
+    }
     const Vec3d gravity_mps2(world_.def().gravity_mps2);
     const auto is_sound = [](const Deformable* body) { return body->body_->is_sound(); };
     for (double left_s = seconds;

@@ -17,6 +17,9 @@ constexpr double kAlong = 0.05;
 /// Least cosine between a contact's normal and those of the surfaces.
 constexpr double kFacing = 0.5;
 constexpr double kStraight = 0.9;
+/// How much faster than at the start points may become in a step.
+constexpr double kFaster = 1.5;
+constexpr double kFaster_mps = 0.2;
 
 /// Shares of a triangle's corners at its place closest to a point (Ericson, Real-Time Collision Detection, 5.1.5).
 std::array<double, 3> closest_shares(const Vec3d& p,
@@ -106,29 +109,48 @@ void PartContacts::change_velocity(std::size_t point, const Vec3d& by_mps) {
     second_->change_velocity(point - second_from_, by_mps);
 }
 
-void PartContacts::list_parts() {
-    first_->list_parts(parts_);
-    encloses_[0] = parts_.encloses;
-    if (second_ == nullptr) return;
-    SurfaceParts more;
-    second_->list_parts(more);
-    encloses_[1] = more.encloses;
-    for (const auto& [a, b, c] : more.triangles)
+bool PartContacts::list_parts() {
+    const std::array<const PointBody*, 2> bodies{first_, second_};
+    bool are_others = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (bodies[i] == nullptr) continue;
+        const std::size_t torn = own_parts_[i].torn;
+        const bool are_new = own_parts_[i].triangles.empty();
+        bodies[i]->list_parts(own_parts_[i]);
+        encloses_[i] = own_parts_[i].encloses;
+        are_others = are_others || are_new || own_parts_[i].torn != torn;
+    }
+    if (!are_others) return false;
+    parts_ = own_parts_[0];
+    for (const auto& [a, b, c] : own_parts_[1].triangles)
         parts_.triangles.push_back({a + second_from_, b + second_from_, c + second_from_});
-    for (const auto& [a, b] : more.edges)
+    for (const auto& [a, b] : own_parts_[1].edges)
         parts_.edges.push_back({a + second_from_, b + second_from_});
+    return true;
 }
 
 void PartContacts::solve(double h) {
-    if (has_moved()) find(seconds_);
+    // Most of what moves slowly needs no look.
+    if (fastest_mps_ * seconds_ > margin_m_ / 2 && has_moved()) find(seconds_);
     contacts_.clear();
-    for (Pair& pair : pairs_) add(pair, h);
+    for (Pair& pair : pairs_) {
+        pair.idle_s -= h;
+        if (pair.idle_s <= 0) add(pair, h);
+    }
     for (int sweep = 0; sweep < kPartSweeps; ++sweep) {
         for (Contact& contact : contacts_) solve_one(contact, h);
     }
 }
 
-/// Farther than the margin, less what all have alike.
+void PartContacts::find_fastest() {
+    const Values velocities = velocities_mps();
+    double most2 = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        most2 = std::max(most2, glm::dot(velocities[i], velocities[i]));
+    fastest_mps_ = kFaster * std::sqrt(most2) + kFaster_mps;
+}
+
+/// Farther than half of the margin, less what all have alike.
 bool PartContacts::has_moved() const {
     const Values now = positions_m();
     if (listed_m_.size() != now.size()) return true;
@@ -140,12 +162,7 @@ bool PartContacts::has_moved() const {
         const Vec3d own = now[i] - listed_m_[i] - mean;
         most2 = std::max(most2, glm::dot(own, own));
     }
-    return std::sqrt(most2) > margin_m_;
-}
-
-bool PartContacts::Within::has(const PlaceBins::Place& place) const {
-    return glm::all(glm::greaterThanEqual(place.middle_m, low_m - place.radius_m)) &&
-           glm::all(glm::lessThanEqual(place.middle_m, high_m + place.radius_m));
+    return std::sqrt(most2) > margin_m_ / 2;
 }
 
 /// Where the boxes round two bodies meet.
@@ -170,28 +187,26 @@ PartContacts::Within PartContacts::meeting_place() const {
 
 void PartContacts::find(double seconds) {
     seconds_ = seconds;
+    find_fastest();
     const Values at_m = positions_m();
     listed_m_.clear();
     for (std::size_t i = 0; i < at_m.size(); ++i) listed_m_.push_back(at_m[i]);
-    const std::size_t known = parts_.triangles.size();
-    list_parts();
     std::vector<Pair> before;
     std::swap(before, pairs_);
-    if (parts_.triangles.size() != known) before.clear();  // torn: other numbers
-    find_normals();
+    if (list_parts()) before.clear();  // torn: other numbers
     const Within within = meeting_place();
+    if (within.is_empty()) return;
+    find_normals();
     bin_parts(within);
     for (std::uint32_t i = 0; i < parts_.triangles.size(); ++i) {
-        const PlaceBins::Place there = place_of(parts_.triangles[i], at_m);
-        if (!within.has(there)) continue;
-        points_.for_near(there, [&](std::uint32_t point) {
+        if (!within.has(at_m[parts_.triangles[i][0]], longest_m_)) continue;
+        points_.for_near(place_of(parts_.triangles[i], at_m), [&](std::uint32_t point) {
             list({.first = point, .second = i}, before, seconds);
         });
     }
     for (std::uint32_t i = 0; i < parts_.edges.size(); ++i) {
-        const PlaceBins::Place there = place_of(parts_.edges[i], at_m);
-        if (!within.has(there)) continue;
-        edges_.for_near(there, [&](std::uint32_t other) {
+        if (!within.has(at_m[parts_.edges[i][0]], longest_m_)) continue;
+        edges_.for_near(place_of(parts_.edges[i], at_m), [&](std::uint32_t other) {
             if (other > i) list({.first = i, .second = other, .are_edges = true}, before, seconds);
         });
     }
@@ -201,22 +216,24 @@ void PartContacts::find(double seconds) {
 void PartContacts::bin_parts(const Within& within) {
     const Values at_m = positions_m();
     const double reach_m = traits_.thickness_m + 2 * margin_m_;
-    double largest_m = 0;
-    for (const auto& edge : parts_.edges)
-        largest_m = std::max(largest_m, place_of(edge, at_m).radius_m);
+    longest_m_ = 0;
+    for (const auto& [a, b] : parts_.edges)
+        longest_m_ = std::max(longest_m_, glm::distance(at_m[a], at_m[b]));
     // A triangle of a cell lies within a side of its middle.
-    points_.clear(at_m.size(), 2 * largest_m + reach_m);
+    points_.clear(at_m.size(), longest_m_ + reach_m);
     for (std::uint32_t i = 0; i < at_m.size(); ++i) {
-        const PlaceBins::Place place{.middle_m = at_m[i], .radius_m = reach_m, .number = i};
-        if (within.has(place)) points_.add(place);
+        if (within.has(at_m[i], reach_m))
+            points_.add({.middle_m = at_m[i], .radius_m = reach_m, .number = i});
     }
-    edges_.clear(parts_.edges.size(), 2 * largest_m + reach_m);
+    edges_.clear(parts_.edges.size(), longest_m_ + reach_m);
     for (std::uint32_t i = 0; i < parts_.edges.size(); ++i) {
+        if (!within.has(at_m[parts_.edges[i][0]], longest_m_ + reach_m)) continue;
         PlaceBins::Place place = place_of(parts_.edges[i], at_m);
         place.radius_m += reach_m;
         place.number = i;
-        if (within.has(place)) edges_.add(place);
+        edges_.add(place);
     }
+    longest_m_ *= 1.5;  // with a triangle's diagonal
 }
 
 /// Not what shares a point; of two bodies not what is of one.
@@ -317,12 +334,13 @@ bool PartContacts::turn(const Pair& pair, Contact& contact, double& distance_m) 
 
 void PartContacts::add(Pair& pair, double h) {
     Contact contact = contact_of(pair);
+    const Vec3d apart_m = weighted(positions_m(), contact.points, contact.weights);
+    double distance_m = glm::length(apart_m);
+    pair.idle_s = (distance_m - traits_.thickness_m) / (2 * fastest_mps_);
     if (pair.are_edges && contact.side == 0) {
         if (contact.run_along) pair.side = 0;  // it may be another when they cross again
         return;                                // an end is closer: its point
     }
-    const Vec3d apart_m = weighted(positions_m(), contact.points, contact.weights);
-    double distance_m = glm::length(apart_m);
     if (!(distance_m > 0)) return;
     contact.normal = apart_m / distance_m;
     if (!turn(pair, contact, distance_m)) return;
@@ -332,6 +350,7 @@ void PartContacts::add(Pair& pair, double h) {
         pair.side = 0;
         return;
     }
+    pair.idle_s = 0;
     if (pair.side == 0) pair.side = contact.side;
     contact.gap_m = distance_m - traits_.thickness_m;
     if (second_ == nullptr) {

@@ -40,6 +40,7 @@ private:
         std::uint32_t second{0};
         bool are_edges{false};
         std::int8_t side{0};  ///< of the second that the first is on; 0: not known
+        double idle_s{0};     ///< until they can touch at the soonest
 
         bool operator<(const Pair& other) const {
             return std::tie(are_edges, first, second) <
@@ -78,7 +79,11 @@ private:
         Vec3d low_m{-1e30, -1e30, -1e30};
         Vec3d high_m{1e30, 1e30, 1e30};
 
-        bool has(const PlaceBins::Place& place) const;
+        bool is_empty() const { return glm::any(glm::greaterThan(low_m, high_m)); }
+        bool has(const Vec3d& at_m, double radius_m) const {
+            return glm::all(glm::greaterThanEqual(at_m, low_m - radius_m)) &&
+                   glm::all(glm::lessThanEqual(at_m, high_m + radius_m));
+        }
     };
     Values positions_m() const;
     Values velocities_mps() const;
@@ -86,7 +91,9 @@ private:
     void change_velocity(std::size_t point, const Vec3d& by_mps);
     bool is_of_second(std::uint32_t point) const { return point >= second_from_; }
     bool has_moved() const;
-    void list_parts();
+    void find_fastest();
+    /// Returns whether they are others than before.
+    bool list_parts();
     Within meeting_place() const;
     void bin_parts(const Within& within);
     bool may_touch(const Pair& pair) const;
@@ -105,8 +112,10 @@ private:
     std::uint32_t second_from_;   ///< number of its first point
     SurfaceTraits traits_;
     double margin_m_;
+    double longest_m_{0};        ///< of triangles' sides, when pairs were listed
     std::vector<Vec3d> rest_m_;  ///< of one with itself
-    SurfaceParts parts_;         ///< of both
+    std::array<SurfaceParts, 2> own_parts_;
+    SurfaceParts parts_;  ///< of both
     std::array<bool, 2> encloses_{};
     std::vector<Vec3d> normals_;  ///< of all points, when pairs were listed
     PlaceBins points_;
@@ -114,6 +123,7 @@ private:
     std::vector<Pair> pairs_;      ///< sorted
     std::vector<Vec3d> listed_m_;  ///< where points were when pairs were listed
     double seconds_{0};            ///< ... and for how long
+    double fastest_mps_{0};        ///< of points then, and what it may become
     std::vector<Contact> contacts_;
 };
 

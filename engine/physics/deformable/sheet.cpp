@@ -136,7 +136,8 @@ void Sheet::for_triangles(const F& visit) const {
 }
 
 void Sheet::list_parts(SurfaceParts& parts) const {
-    parts = {};
+    if (!parts.triangles.empty() && parts.torn == torn_) return;
+    parts = {.torn = torn_};
     const auto number = [](std::size_t point) { return static_cast<std::uint32_t>(point); };
     for_triangles([&](std::size_t a, std::size_t b, std::size_t c) {
         // The cell's corner at the top left, whichever half of it the triangle is.

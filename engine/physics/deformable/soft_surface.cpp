@@ -76,6 +76,7 @@ double SoftBody::volume_of(const std::vector<Vec3d>& points_m) const {
 }
 
 void SoftBody::list_parts(SurfaceParts& parts) const {
+    if (!parts.triangles.empty()) return;
     parts = {.encloses = true};
     for (const SoftGrid::Face& face : def_.grid.faces) {
         parts.triangles.push_back({face.points[0], face.points[1], face.points[2]});

@@ -28,8 +28,9 @@ Vec3d velocity_of(const PointBody& body,
                   const NearBody& near,
                   const SurfacePlace& place,
                   const Vec3d& arm_m) {
-    return mean_of(body.velocities_mps(), place) - near.velocity_mps -
-           glm::cross(near.spin_radps, arm_m);
+    const NearMotion& motion = near.motion();
+    return mean_of(body.velocities_mps(), place) - motion.velocity_mps -
+           glm::cross(motion.spin_radps, arm_m);
 }
 
 }  // namespace
@@ -38,8 +39,27 @@ double wanted_opening_mps(double gap_m, double h) {
     return gap_m > 0 ? -gap_m / h : std::min(-gap_m * kOut_per_s, kOut_mps);
 }
 
-void NearBody::push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
-    felt_Ns += impulse_Ns;
+void NearMotion::start(BodyInField* body, double seconds) {
+    state = body;
+    inverse_mass = 0;
+    inverse_inertia = {0, 0, 0};
+    falls = false;
+    pushed_Ns = {0, 0, 0};
+    if (body == nullptr) return;
+    velocity_mps = body->velocity_mps - 0.5 * body->gain_mps;
+    start_mps = velocity_mps;
+    spin_radps = body->spin_radps;
+    center_m = body->center_m - velocity_mps * (seconds / 2);
+    world_from_mass = glm::normalize(turn_by(spin_radps, -seconds / 2) * body->world_from_mass);
+}
+
+void NearMotion::give_way(double share) {
+    inverse_mass = share / state->mass_kg;
+    inverse_inertia = share / state->inertia_kgm2;
+    falls = share > 0.5;
+}
+
+void NearMotion::push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
     if (state == nullptr) return;
     const Vec3d turn_Nms = glm::cross(arm_m, impulse_Ns);
     velocity_mps += impulse_Ns * inverse_mass;
@@ -50,7 +70,7 @@ void NearBody::push(const Vec3d& impulse_Ns, const Vec3d& arm_m) {
     state->angular_impulse_Nms += turn_Nms;
 }
 
-void NearBody::move(double h) {
+void NearMotion::move(double h) {
     center_m += velocity_mps * h;
     world_from_mass = glm::normalize(turn_by(spin_radps, h) * world_from_mass);
 }
@@ -74,10 +94,11 @@ void SurfaceContacts::add(const PhysicsWorld& world,
                           double thickness_m,
                           double seconds) {
     const NearBody& near = all[number];
-    Vec3 low(near.center_m - near.radius_m);
-    Vec3 high(near.center_m + near.radius_m);
+    const NearMotion& motion = near.motion();
+    Vec3 low(motion.center_m - near.radius_m);
+    Vec3 high(motion.center_m + near.radius_m);
     if (near.radius_m == 0) bounds(world, near.id, low, high);
-    const double moved_m = glm::length(near.velocity_mps) * seconds;
+    const double moved_m = glm::length(motion.velocity_mps) * seconds;
     const double radius_m = thickness_m / 2;
     const auto [found, is_new] = places_.try_emplace(near.places);
     if (is_new) found->second = body.places(near.places);
@@ -89,12 +110,12 @@ void SurfaceContacts::add(const PhysicsWorld& world,
             glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
             continue;
         const auto touch = ball_contact(
-            world, near.id, {near.center_m, near.world_from_mass}, at, radius_m, reach_m);
+            world, near.id, {motion.center_m, motion.world_from_mass}, at, radius_m, reach_m);
         if (!touch) continue;
         contacts_.push_back({.near = number,
                              .place = place,
                              .normal = touch->normal,
-                             .arm_m = touch->on_body_m - near.center_m,
+                             .arm_m = touch->on_body_m - motion.center_m,
                              .gap_m = touch->distance_m});
     }
 }
@@ -121,14 +142,15 @@ void SurfaceContacts::solve_one(Contact& contact, PointBody& body, NearBody& nea
     const double opening = glm::dot(contact.normal, relative);
     const double wanted = wanted_opening_mps(contact.gap_m, h);
     if (opening >= wanted && contact.pressed_Ns == 0) return;
-    double inverse_mass = near.inverse_mass;
+    const NearMotion& motion = near.motion();
+    double inverse_mass = motion.inverse_mass;
     for (std::size_t i = 0; i < 4; ++i)
         inverse_mass += contact.place.weights[i] * contact.place.weights[i] *
                         body.inverse_mass(contact.place.points[i]);
     const auto along = [&](const Vec3d& direction) {
         const Vec3d turn =
-            glm::conjugate(near.world_from_mass) * glm::cross(contact.arm_m, direction);
-        return inverse_mass + glm::dot(turn, near.inverse_inertia * turn);
+            glm::conjugate(motion.world_from_mass) * glm::cross(contact.arm_m, direction);
+        return inverse_mass + glm::dot(turn, motion.inverse_inertia * turn);
     };
     const double normal_weight = along(contact.normal);
     if (!(normal_weight > 0)) return;

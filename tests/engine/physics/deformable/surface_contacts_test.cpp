@@ -19,7 +19,7 @@ struct SheetOverBox {
                  .position_m = {0, height_m, 0},
                  .orientation = glm::angleAxis(1.5707963267948966, Vec3d{1, 0, 0})}) {
         box = test.add(BoxShape{{1, 1, 1}}, {0, -0.5_r, 0}, {.kind = BodyKind::Static});
-        near.push_back({.id = box, .center_m = {0, -0.5, 0}, .friction = 0.5});
+        near.push_back({.id = box, .own = {.center_m = {0, -0.5, 0}}, .friction = 0.5});
         sheet.plan(kContactStep_s, 1);
     }
     void find() { contacts.find(test.world, sheet, near, 0.01, kContactStep_s); }
@@ -91,17 +91,17 @@ TEST(SurfaceContacts, FollowTheMotion) {
 TEST(SurfaceContacts, PushAFreeBody) {
     SheetOverBox over(0.005);
     BodyInField state{.id = over.box, .mass_kg = 0.1, .inertia_kgm2 = {1, 1, 1}};
-    over.near[0].state = &state;
-    over.near[0].inverse_mass = 10;
-    over.near[0].inverse_inertia = {1, 1, 1};
+    over.near[0].own.state = &state;
+    over.near[0].own.inverse_mass = 10;
+    over.near[0].own.inverse_inertia = {1, 1, 1};
     over.throw_all({0, -2, 0});
     over.find();
     over.contacts.solve(over.sheet, over.near, kContactStep_s);
     const double momentum =
-        over.sheet.totals().momentum_kgmps.y + 0.1 * over.near[0].velocity_mps.y;
+        over.sheet.totals().momentum_kgmps.y + 0.1 * over.near[0].own.velocity_mps.y;
     EXPECT_NEAR(momentum, -2 * over.sheet.mass_kg(), 1e-9);
-    EXPECT_NEAR(state.impulse_Ns.y, 0.1 * over.near[0].velocity_mps.y, 1e-12);
-    NearBody turning{.state = &state, .inverse_mass = 1, .inverse_inertia = {0, 0, 2}};
+    EXPECT_NEAR(state.impulse_Ns.y, 0.1 * over.near[0].own.velocity_mps.y, 1e-12);
+    NearMotion turning{.state = &state, .inverse_mass = 1, .inverse_inertia = {0, 0, 2}};
     turning.push({0, 3, 0}, {1, 0, 0});
     EXPECT_NEAR(turning.spin_radps.z, 6, 1e-12);
     turning.move(0.5);
