@@ -59,9 +59,9 @@ void Sheet::add_threads() {
             {.first = first, .stride = stride, .count = count, .stiffness_Npm = bend_Npm});
     };
     for (std::uint32_t row = 0; row < rows_; ++row)
-        add_line(0, row * columns_, 1, columns_, row % (rows_ - 1) == 0);
+        add_line(0, row * columns_, 1, columns_, row == 0 || row + 1 == rows_);
     for (std::uint32_t column = 0; column < columns_; ++column)
-        add_line(1, column, columns_, rows_, column % (columns_ - 1) == 0);
+        add_line(1, column, columns_, rows_, column == 0 || column + 1 == columns_);
 }
 
 /// Gershgorin: twice the sum of what crosses a point's threads, over its mass, bounds the square of its frequency.
@@ -140,8 +140,7 @@ void Sheet::list_parts(SurfaceParts& parts) const {
     parts = {.torn = torn_};
     const auto number = [](std::size_t point) { return static_cast<std::uint32_t>(point); };
     for_triangles([&](std::size_t a, std::size_t b, std::size_t c) {
-        // The cell's corner at the top left, whichever half of it the triangle is.
-        const std::size_t top = std::min({a, b, c});
+        const std::size_t top = std::min({a, b, c});  // of the cell, whichever half of it this is
         const std::size_t column = std::min({a % columns_, b % columns_, c % columns_});
         if (torn_ > 0 && !is_whole(number(column), number(top / columns_))) return;
         parts.triangles.push_back({number(a), number(b), number(c)});
