@@ -24,25 +24,21 @@ constexpr double kWakingRise_m = 1e-3;
 /// Of bodies; a damaged save names none beyond.
 constexpr std::uint32_t kMostIndex = 1U << 24U;
 
-struct Afloat {
+/// Its water is the one that it is in, in this step.
+struct Afloat : scene::Displaced {
     double coefficient{1};
     double mass_kg{1};
-    double radius_m{0};
-    Vec3d half_m{0, 0, 0};  ///< of the box along its principal axes
-
-    int water{-1};           ///< number of the one it is in, in this step; -1: none
+    Vec3d half_m{0, 0, 0};   ///< of the box along its principal axes
     double rise_m{0};        ///< of the surface at its place, above the water's level
     glm::dvec2 slope{0, 0};  ///< of the surface, along x and z
     double added_kg{0};      ///< of water that moves along
     double reckoned_kg{0};   ///< of that, what momentum was handed on to
-    double volume_m3{0};     ///< under water, as the waves know it
-    double moved_m3{0};      ///< more of it by its own motion in the latest step
-    Vec3d place_m{0, 0, 0};  ///< ... and where
     bool followed{false};    ///< since the step before: what it had under water then is known
 
     void serialize(Archive& archive) {
-        archive(coefficient, mass_kg, radius_m, half_m, water, rise_m, slope.x, slope.y, added_kg);
-        archive(reckoned_kg, volume_m3, moved_m3, place_m, followed);
+        scene::Displaced::serialize(archive);
+        archive(coefficient, mass_kg, half_m, rise_m, slope.x, slope.y, added_kg, reckoned_kg);
+        archive(followed);
     }
 };
 
@@ -118,13 +114,13 @@ private:
             if (known != nullptr) known->own.volume_m3 = 0;
         }
         // What is gone has left its place to the water.
-        for (const auto& [body, own] : before.all()) leave(own);
+        for (auto& [body, own] : before.all()) displace(own, {});
     }
 
     Afloat new_body(const scene::MovingBody& moving) const {
-        Afloat own{
-            .mass_kg = static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg),
-            .half_m = physics::half_extent_m(simulation_.physics, moving.body)};
+        Afloat own;
+        own.mass_kg = static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg);
+        own.half_m = physics::half_extent_m(simulation_.physics, moving.body);
         own.radius_m = glm::length(own.half_m);
         const auto* drag = simulation_.registry.find<scene::Drag>(moving.entity);
         if (drag != nullptr) own.coefficient = static_cast<double>(drag->coefficient);
@@ -158,7 +154,7 @@ private:
     void follow(BodyId body, Afloat& own) {
         const physics::BodyState state = simulation_.physics.state(body);
         const Vec3d center(state.center_of_mass_world());
-        const Afloat before = own;
+        Afloat before = own;
         find_water(own, center);
         double volume_m3 = 0;
         double added_kg = 0;
@@ -171,11 +167,10 @@ private:
                        density_of(own) * volume_m3;
         }
         if (own.followed && own.water == before.water) {
-            raise_level(own, volume_m3 - before.volume_m3);
+            if (scene::WaveField* waves = waves_of(own))
+                waves->raise_level(volume_m3 - before.volume_m3);
         } else if (own.followed) {
-            leave(before);
-            displace(own, center, volume_m3);
-            raise_level(own, volume_m3);
+            displace(before, at(own, center, volume_m3));
         }
         own.volume_m3 = volume_m3;
         own.place_m = center;
@@ -192,12 +187,7 @@ private:
         const double volume_m3 =
             below_of(own, body, center, physics::world_from_mass(simulation_.physics, body), kUp)
                 .volume_m3;
-        displace(own, own.place_m, -own.volume_m3);
-        displace(own, center, volume_m3);
-        raise_level(own, volume_m3 - own.volume_m3);
-        own.moved_m3 = volume_m3 - own.volume_m3;
-        own.volume_m3 = volume_m3;
-        own.place_m = center;
+        displace(own, at(own, center, volume_m3));
     }
 
     /// A body that goes under hands on of its momentum to what moves along from now on (von Karman 1929).
@@ -302,14 +292,8 @@ private:
             Afloat there = own;
             there.water = static_cast<int>(i);
             if (const scene::WaveField* waves = waves_of(there)) {
-                there.rise_m =
-                    waves->height_m(center.x, center.z, scene::kFeltOfRadius * own.radius_m);
+                there.rise_m = scene::felt_rise_m(waters[i], own, center);
                 there.slope = waves->slope(center.x, center.z, scene::kFeltOfRadius * own.radius_m);
-                // The mean over the step: what it is about to displace itself lifts the surface on the way.
-                if (own.moved_m3 != 0)
-                    there.rise_m += 0.5 * own.moved_m3 *
-                                    waves->response_pm2(
-                                        center.x, center.z, scene::kFeltOfRadius * own.radius_m);
             }
             if (center.y - own.radius_m > high.y + there.rise_m) continue;
             own = there;
@@ -317,17 +301,14 @@ private:
         }
     }
 
-    /// What the body displaces at a place stands up as the surface round it.
-    void displace(const Afloat& own, const Vec3d& place, double volume_m3) const {
-        if (scene::WaveField* waves = waves_of(own))
-            waves->displace(place, scene::kFeltOfRadius * own.radius_m, volume_m3);
+    static scene::Displaced at(const Afloat& own, const Vec3d& place, double volume_m3) {
+        scene::Displaced there = own;
+        there.place_m = place;
+        there.volume_m3 = volume_m3;
+        return there;
     }
-    void raise_level(const Afloat& own, double volume_m3) const {
-        if (scene::WaveField* waves = waves_of(own)) waves->raise_level(volume_m3);
-    }
-    void leave(const Afloat& own) const {
-        displace(own, own.place_m, -own.volume_m3);
-        raise_level(own, -own.volume_m3);
+    void displace(Afloat& own, const scene::Displaced& now) const {
+        scene::displace(simulation_.waters, own, now);
     }
 
     const scene::WaterDescription& water_of(const Afloat& own) const {

@@ -224,15 +224,10 @@ Deformables::Rhythm Deformables::rhythm_of(Group& group, double left_s) {
     rhythm.beats = (most + fewest - 1) / fewest;
     const std::uint32_t total = fewest * rhythm.beats;
     rhythm.cycles = std::clamp(fewest, 1U, std::max(kPlanned / rhythm.beats, 1U));
-    if (group.bodies.size() == 1) {
-        rhythm.beat_s = group.bodies[0]->body_->substep_s();
-    } else {
-        rhythm.beat_s = left_s / total;
-    }
+    rhythm.beat_s = left_s / total;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         rhythm.every.push_back(beats_between(rhythm.beats, total, wanted[i]));
-        if (group.bodies.size() > 1)
-            group.bodies[i]->body_->shorten_substeps(rhythm.beat_s * rhythm.every[i]);
+        group.bodies[i]->body_->shorten_substeps(rhythm.beat_s * rhythm.every[i]);
     }
     return rhythm;
 }
