@@ -245,6 +245,7 @@ void Deformables::substep(Group& group,
     for (PartContacts* contacts : group.contacts) contacts->solve(rhythm.beat_s);
     for (Deformable* body : group.bodies) body->touch(rhythm.beat_s);
     for (Deformable* body : group.bodies) body->move(rhythm.beat_s);
+    for (PartContacts* contacts : group.contacts) contacts->follow(rhythm.beat_s);
 }
 
 void Deformables::serialize(Archive& archive, std::span<Deformable* const> all) {

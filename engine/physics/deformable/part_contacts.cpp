@@ -1,6 +1,7 @@
 #include "engine/physics/deformable/part_contacts.h"
 
 #include "engine/core/io/archive.h"
+#include "engine/physics/collision/mesh/triangle_distance.h"
 #include "engine/physics/surface_contacts.h"
 
 #include <algorithm>
@@ -20,35 +21,11 @@ constexpr double kStraight = 0.9;
 /// How much faster than at the start points may become in a step.
 constexpr double kFaster = 1.5;
 constexpr double kFaster_mps = 0.2;
-
-/// Shares of a triangle's corners at its place closest to a point (Ericson, Real-Time Collision Detection, 5.1.5).
-std::array<double, 3> closest_shares(const Vec3d& p,
-                                     const Vec3d& a,
-                                     const Vec3d& b,
-                                     const Vec3d& c) {
-    const Vec3d ab = b - a;
-    const Vec3d ac = c - a;
-    const double d1 = glm::dot(ab, p - a);
-    const double d2 = glm::dot(ac, p - a);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    const double d3 = glm::dot(ab, p - b);
-    const double d4 = glm::dot(ac, p - b);
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    const double d5 = glm::dot(ab, p - c);
-    const double d6 = glm::dot(ac, p - c);
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const double share = (d4 - d3) / (d4 - d3 + d5 - d6);
-        return {0, 1 - share, share};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
+/// How far points move, at most, and how many sub-steps they take between two looks at what touches.
+constexpr double kLookOfThickness = 0.25;
+constexpr double kMostLooked = 8;
+/// Looked at beyond what moves there meanwhile.
+constexpr double kLookAhead_m = 5e-4;
 
 template <class T>
 Vec3d weighted(const T& values,
@@ -129,17 +106,37 @@ bool PartContacts::list_parts() {
     return true;
 }
 
-void PartContacts::solve(double h) {
-    // Most of what moves slowly needs no look.
+/// For a few sub-steps: while nothing moves by much of the thickness.
+void PartContacts::look(double h) {
+    // Most of what moves slowly needs no new list.
     if (fastest_mps_ * seconds_ > margin_m_ / 2 && has_moved()) find(seconds_);
+    const double before_s = looked_for_s_;
+    looked_for_s_ =
+        std::clamp(kLookOfThickness * traits_.thickness_m / fastest_mps_, h, kMostLooked * h);
+    look_in_s_ = looked_for_s_;
     contacts_.clear();
     for (Pair& pair : pairs_) {
-        pair.idle_s -= h;
-        if (pair.idle_s <= 0) add(pair, h);
+        pair.idle_s -= before_s;
+        if (pair.idle_s < looked_for_s_) add(pair, looked_for_s_);
+    }
+}
+
+void PartContacts::solve(double h) {
+    if (look_in_s_ < h / 2) look(h);
+    look_in_s_ -= h;
+    for (Contact& contact : contacts_) {
+        contact.pressed_Ns = 0;
+        contact.rubbed_Ns = {0, 0, 0};
     }
     for (int sweep = 0; sweep < kPartSweeps; ++sweep) {
         for (Contact& contact : contacts_) solve_one(contact, h);
     }
+}
+
+void PartContacts::follow(double h) {
+    for (Contact& contact : contacts_)
+        contact.gap_m += h * glm::dot(contact.normal,
+                                      weighted(velocities_mps(), contact.points, contact.weights));
 }
 
 void PartContacts::find_fastest() {
@@ -187,6 +184,8 @@ PartContacts::Within PartContacts::meeting_place() const {
 
 void PartContacts::find(double seconds) {
     seconds_ = seconds;
+    looked_for_s_ = 0;
+    look_in_s_ = 0;
     find_fastest();
     const Values at_m = positions_m();
     listed_m_.clear();
@@ -270,7 +269,7 @@ PartContacts::Contact PartContacts::point_contact(const Pair& pair) const {
     const auto& [i, j, k] = parts_.triangles[pair.second];
     const Vec3d& p = at_m[pair.first];
     const Vec3d& a = at_m[i];
-    const auto shares = closest_shares(p, a, at_m[j], at_m[k]);
+    const auto shares = nearest_shares(p, {a, at_m[j], at_m[k]});
     Contact contact{.points = {pair.first, i, j, k},
                     .weights = {1, -shares[0], -shares[1], -shares[2]}};
     if (std::ranges::min(shares) > 0)
@@ -332,7 +331,7 @@ bool PartContacts::turn(const Pair& pair, Contact& contact, double& distance_m) 
     return !is_known || -cosine > (contact.side == 0 ? kStraight : kFacing);
 }
 
-void PartContacts::add(Pair& pair, double h) {
+void PartContacts::add(Pair& pair, double seconds) {
     Contact contact = contact_of(pair);
     const Vec3d apart_m = weighted(positions_m(), contact.points, contact.weights);
     double distance_m = glm::length(apart_m);
@@ -346,7 +345,7 @@ void PartContacts::add(Pair& pair, double h) {
     if (!turn(pair, contact, distance_m)) return;
     const double opening =
         glm::dot(contact.normal, weighted(velocities_mps(), contact.points, contact.weights));
-    if (distance_m + std::min(opening, 0.0) * h > traits_.thickness_m) {
+    if (distance_m + std::min(opening, 0.0) * seconds > traits_.thickness_m + kLookAhead_m) {
         pair.side = 0;
         return;
     }

@@ -30,6 +30,8 @@ public:
     void find(double seconds);
     /// Changes velocities so that nothing comes closer than the thickness within `h`, with friction; momentum is kept.
     void solve(double h);
+    /// After points have moved for `h`.
+    void follow(double h);
 
     void serialize(Archive& archive);
 
@@ -92,6 +94,7 @@ private:
     bool is_of_second(std::uint32_t point) const { return point >= second_from_; }
     bool has_moved() const;
     void find_fastest();
+    void look(double h);
     /// Returns whether they are others than before.
     bool list_parts();
     Within meeting_place() const;
@@ -104,7 +107,7 @@ private:
     void find_normals();
     Vec3d facing_of(const Contact& contact, bool are_edges) const;
     bool turn(const Pair& pair, Contact& contact, double& distance_m) const;
-    void add(Pair& pair, double h);
+    void add(Pair& pair, double seconds);
     void solve_one(Contact& contact, double h);
 
     PointBody* first_;
@@ -124,6 +127,8 @@ private:
     std::vector<Vec3d> listed_m_;  ///< where points were when pairs were listed
     double seconds_{0};            ///< ... and for how long
     double fastest_mps_{0};        ///< of points then, and what it may become
+    double looked_for_s_{0};       ///< so long contacts_ are what may touch ...
+    double look_in_s_{0};          ///< ... of which so much is left
     std::vector<Contact> contacts_;
 };
 

@@ -22,6 +22,9 @@ NearestPoint nearest_to(const Vec3d& place,
                         const std::array<Vec3d, 3>& corners,
                         const Vec3d& normal);
 
+/// Shares of the corners in the point that is nearest to a place; those of corners that it is not between are 0. Likewise.
+std::array<double, 3> nearest_shares(const Vec3d& place, const std::array<Vec3d, 3>& corners);
+
 /// Squares of distances, m^2.
 double away_from_triangle2(const Vec3d& place, const std::array<Vec3d, 3>& corners);
 double away_from_line2(const Vec3d& place, const Vec3d& from, const Vec3d& to);

@@ -43,6 +43,11 @@ TEST(TriangleDistance, IsThatOfTheNearestOfManyPlaces) {
         EXPECT_LE(own_m, std::sqrt(least2) + 1e-12);
         EXPECT_NEAR(own_m, std::sqrt(least2), 0.04) << "the places are up to 3 cm apart";
         EXPECT_NEAR(own_m * own_m, away_from_triangle2(place, corners), 1e-12);
+        const auto [a, b, c] = nearest_shares(place, corners);
+        EXPECT_NEAR(a + b + c, 1, 1e-12);
+        EXPECT_GE(std::min({a, b, c}), 0);
+        EXPECT_NEAR(
+            glm::distance(a * corners[0] + b * corners[1] + c * corners[2], found.at), 0, 1e-9);
     }
 }
 
