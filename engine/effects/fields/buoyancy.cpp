@@ -301,7 +301,7 @@ private:
         }
     }
 
-    static scene::Displaced at(const Afloat& own, const Vec3d& place, double volume_m3) {
+    static scene::Displaced at(const scene::Displaced& own, const Vec3d& place, double volume_m3) {
         scene::Displaced there = own;
         there.place_m = place;
         there.volume_m3 = volume_m3;
