@@ -182,7 +182,7 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     near.friction = std::sqrt(def_.surface.friction * friction_of(world, id));
     if (state.kind == BodyKind::Dynamic) {
         const double smallest_m = 2 * thinnest_half_m(world, id);
-        const double places = std::ceil(1.5 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
+        const double places = std::ceil(3 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
         near.places =
             static_cast<std::uint32_t>(std::clamp(places, 1.0, static_cast<double>(kMostPlaces)));
         if (state.pushable() && state.awake) movable_.push_back(id);

@@ -62,6 +62,19 @@ DeformableDef held_all_round(std::uint32_t cells) {
     return def;
 }
 
+/// Cells of 15 cm under a ball of 24 cm, whose middle lies over the middle of one: between their corners it would show by 6 cm.
+TEST(Deformable, ABallShowsLittleBelowACoarseCloth) {
+    TestWorld test(in_small_steps());
+    const BodyId ball = test.add(SphereShape{0.12_r}, {0, 0.63_r, 0});
+    Field cloth(test.world, cloth_at(0.5, 1.05, 7), held_all_round(7));
+    cloth.run(3);
+    const auto middle_m = Vec3d(test.world.state(ball).world_from_body.position);
+    const auto points_m = cloth.deformable.body().positions_m();
+    Vec3d cell_m{0, 0, 0};
+    for (const std::size_t point : {27U, 28U, 35U, 36U}) cell_m += points_m[point] / 4.0;
+    EXPECT_GT(glm::distance(middle_m, cell_m), 0.12 - 0.01);
+}
+
 /// Static and kinematic bodies whose centre of mass is not their origin.
 TEST(Deformable, ClothLiesOnWhatIsBuiltBesideItsOrigin) {
     TestWorld test(in_small_steps());
