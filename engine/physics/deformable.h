@@ -115,11 +115,6 @@ private:
         double calm_s{0};             ///< since then
         bool asleep{false};
     };
-    /// Where it may be within the step.
-    struct Reach {
-        Vec3d low_m{0, 0, 0};
-        Vec3d high_m{0, 0, 0};
-    };
     struct Done {
         std::uint64_t substeps{0};  ///< in the step
         std::uint32_t taken{0};     ///< in the bodies' sub-step, of ...
@@ -177,7 +172,7 @@ private:
     SurfaceContacts contacts_;
     std::unique_ptr<PartContacts> self_contacts_;  ///< of one that touches itself; else null
     bool is_stirred_{false};
-    Reach reach_;
+    PointBounds reach_;          ///< where it may be within the step
     std::vector<Vec3d> kept_m_;  ///< its points at the start of the sub-step
     Rest rest_;
     Done done_;

@@ -137,6 +137,13 @@ protected:
     double stiffness_share_{1};
 };
 
+/// A box round points; there is one at least.
+struct PointBounds {
+    Vec3d low_m{0, 0, 0};
+    Vec3d high_m{0, 0, 0};
+};
+PointBounds bounds_of(std::span<const Vec3d> points_m);
+
 /// Leaves this share of all motion.
 void slow_down(PointBody& body, double share);
 

@@ -30,17 +30,16 @@ int number_of(const scene::Simulation& simulation, const scene::SceneWater& wate
     return static_cast<int>(&water - simulation.waters.data());
 }
 
-/// Sets what is known of a point's water.
+/// Sets what is known of a point's water. `rise_m`: of its surface there.
 void describe_water(const scene::Simulation& simulation,
                     const scene::SceneWater& water,
-                    const Vec3d& place,
-                    const scene::Displaced& felt,
+                    double rise_m,
                     physics::FluidAtPoint& fluid) {
     const auto number = static_cast<std::size_t>(number_of(simulation, water));
     const scene::WaterDescription& said = simulation.description().forces.waters[number];
     const auto gravity_mps2 = -static_cast<double>(simulation.physics.def().gravity_mps2.y);
     fluid.has_waves = water.waves != nullptr;
-    fluid.level_m = water.max_m.y + scene::felt_rise_m(water, felt, place);
+    fluid.level_m = water.max_m.y + rise_m;
     fluid.flow_mps = Vec3d(said.flow_mps);
     fluid.density_kgpm3 = static_cast<double>(said.density_kgpm3);
     fluid.weight_Npm3 = fluid.density_kgpm3 * std::max(gravity_mps2, 0.0);
@@ -92,11 +91,16 @@ void DeformableEffect::set_fluids(scene::SceneDeformable& each, const Air* air, 
         for (std::size_t i = 0; i < points_m.size(); ++i)
             fluids[i].air_mps = air->at(points_m[i], simulation_.time_s());
     }
+    const scene::SceneWater* latest = nullptr;
+    double own_m = 0;
     for (std::size_t i = 0; has_water && i < points_m.size(); ++i) {
         const scene::SceneWater* water = water_at(simulation_, points_m[i]);
         if (water == nullptr) continue;
         fluids.resize(points_m.size());
-        describe_water(simulation_, *water, points_m[i], each.displaced, fluids[i]);
+        if (water != latest) own_m = scene::own_rise_m(*water, each.displaced);
+        latest = water;
+        const double rise_m = felt_rise_m(*water, each.displaced, points_m[i], own_m);
+        describe_water(simulation_, *water, rise_m, fluids[i]);
     }
 }
 
@@ -112,7 +116,11 @@ void DeformableEffect::before_step(scene::Simulation& simulation) {
 /// The waves know of it before they go on.
 void DeformableEffect::displace_water(scene::SceneDeformable& each) {
     const physics::PointBody& body = each.body->body();
-    if (each.body->fluids().empty() && each.displaced.volume_m3 == 0) return;
+    const auto is_water = [](const physics::FluidAtPoint& fluid) {
+        return fluid.density_kgpm3 > 0;
+    };
+    const bool is_in_water = std::ranges::any_of(each.body->fluids(), is_water);
+    if (!is_in_water && each.displaced.volume_m3 == 0) return;
     const physics::PointTotals totals = body.totals();
     scene::Displaced now{.volume_m3 = totals.displaced_m3,
                          .place_m = totals.moment_kgm / body.mass_kg()};

@@ -154,13 +154,8 @@ void Deformable::list_near(const PhysicsWorld& world, double step_s) {
 }
 
 void Deformable::find_reach(double step_s) {
-    Vec3d low = body_->positions_m()[0];
-    Vec3d high = low;
+    const auto [low, high] = bounds_of(body_->positions_m());
     double fastest2 = 0;
-    for (const Vec3d& at : body_->positions_m()) {
-        low = glm::min(low, at);
-        high = glm::max(high, at);
-    }
     for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
     const double around_m = kMargin_m + def_.surface.thickness_m + std::sqrt(fastest2) * step_s;
     reach_ = {low - around_m, high + around_m};

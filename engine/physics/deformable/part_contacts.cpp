@@ -2,7 +2,6 @@
 
 #include "engine/core/io/archive.h"
 #include "engine/physics/collision/mesh/triangle_distance.h"
-#include "engine/physics/surface_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +93,6 @@ bool PartContacts::list_parts() {
         const std::size_t torn = own_parts_[i].torn;
         const bool are_new = own_parts_[i].triangles.empty();
         bodies[i]->list_parts(own_parts_[i]);
-        encloses_[i] = own_parts_[i].encloses;
         are_others = are_others || are_new || own_parts_[i].torn != torn;
     }
     if (!are_others) return false;
@@ -167,12 +165,7 @@ PartContacts::Within PartContacts::meeting_place() const {
     Within meeting;
     if (second_ == nullptr) return meeting;
     for (const PointBody* body : {first_, second_}) {
-        Vec3d low = body->positions_m()[0];
-        Vec3d high = low;
-        for (const Vec3d& at : body->positions_m()) {
-            low = glm::min(low, at);
-            high = glm::max(high, at);
-        }
+        const auto [low, high] = bounds_of(body->positions_m());
         meeting.low_m = glm::max(meeting.low_m, low);
         meeting.high_m = glm::min(meeting.high_m, high);
     }
@@ -302,9 +295,9 @@ PartContacts::Contact PartContacts::edge_contact(const Pair& pair) const {
 void PartContacts::find_normals() {
     const Values at_m = positions_m();
     normals_.assign(at_m.size(), Vec3d{0, 0, 0});
-    if (!encloses_[0] && !encloses_[1]) return;
+    if (!own_parts_[0].encloses && !own_parts_[1].encloses) return;
     for (const auto& [a, b, c] : parts_.triangles) {
-        if (!encloses_[is_of_second(a) ? 1 : 0]) continue;
+        if (!own_parts_[is_of_second(a) ? 1 : 0].encloses) continue;
         const Vec3d normal = glm::cross(at_m[b] - at_m[a], at_m[c] - at_m[a]);
         for (const std::uint32_t point : {a, b, c}) normals_[point] += normal;
     }

@@ -118,8 +118,7 @@ private:
     double longest_m_{0};        ///< of triangles' sides, when pairs were listed
     std::vector<Vec3d> rest_m_;  ///< of one with itself
     std::array<SurfaceParts, 2> own_parts_;
-    SurfaceParts parts_;  ///< of both
-    std::array<bool, 2> encloses_{};
+    SurfaceParts parts_;          ///< of both
     std::vector<Vec3d> normals_;  ///< of all points, when pairs were listed
     PlaceBins points_;
     PlaceBins edges_;

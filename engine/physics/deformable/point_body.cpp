@@ -85,6 +85,15 @@ void PointBody::serialize(Archive& archive) {
         serialize_own(archive);
 }
 
+PointBounds bounds_of(std::span<const Vec3d> points_m) {
+    PointBounds bounds{points_m.front(), points_m.front()};
+    for (const Vec3d& at : points_m) {
+        bounds.low_m = glm::min(bounds.low_m, at);
+        bounds.high_m = glm::max(bounds.high_m, at);
+    }
+    return bounds;
+}
+
 void slow_down(PointBody& body, double share) {
     for (std::size_t i = 0; i < body.velocities_mps().size(); ++i)
         body.lead(i, body.velocities_mps()[i] * share);

@@ -2,15 +2,18 @@
 
 namespace plumbline::scene {
 
-/// The mean over the step: what it is about to displace itself lifts the surface on the way.
-double felt_rise_m(const SceneWater& water, const Displaced& felt, const Vec3d& place_m) {
+double own_rise_m(const SceneWater& water, const Displaced& felt) {
+    if (!water.waves || felt.gained_m3 == 0) return 0;
+    return 0.5 * felt.gained_m3 *
+           water.waves->response_pm2(felt.place_m.x, felt.place_m.z, kFeltOfRadius * felt.radius_m);
+}
+
+double felt_rise_m(const SceneWater& water,
+                   const Displaced& felt,
+                   const Vec3d& place_m,
+                   double own_m) {
     if (!water.waves) return 0;
-    const double felt_m = kFeltOfRadius * felt.radius_m;
-    double rise_m = water.waves->height_m(place_m.x, place_m.z, felt_m);
-    if (felt.gained_m3 != 0)
-        rise_m += 0.5 * felt.gained_m3 *
-                  water.waves->response_pm2(felt.place_m.x, felt.place_m.z, felt_m);
-    return rise_m;
+    return water.waves->height_m(place_m.x, place_m.z, kFeltOfRadius * felt.radius_m) + own_m;
 }
 
 void displace(std::span<SceneWater> waters, Displaced& before, const Displaced& now) {

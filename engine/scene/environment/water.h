@@ -32,8 +32,16 @@ struct Displaced {
     void serialize(auto& archive) { archive(water, volume_m3, radius_m, place_m, gained_m3); }
 };
 
-/// How far the surface is above its level there, as such a thing feels it in the coming step.
-double felt_rise_m(const SceneWater& water, const Displaced& felt, const Vec3d& place_m);
+/// By how much what it is about to displace itself lifts the surface round such a thing on the way: the mean over the coming step.
+double own_rise_m(const SceneWater& water, const Displaced& felt);
+/// How far the surface is above its level there, as such a thing feels it in the coming step: with own_rise_m() of it.
+double felt_rise_m(const SceneWater& water,
+                   const Displaced& felt,
+                   const Vec3d& place_m,
+                   double own_m);
+inline double felt_rise_m(const SceneWater& water, const Displaced& felt, const Vec3d& place_m) {
+    return felt_rise_m(water, felt, place_m, own_rise_m(water, felt));
+}
 
 /// The waves of the waters know of `now` in place of `before`.
 void displace(std::span<SceneWater> waters, Displaced& before, const Displaced& now);

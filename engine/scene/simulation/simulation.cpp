@@ -34,12 +34,7 @@ bool is_far_out(const Vec3& position) {
 /// What lay on them or hung from them has to move.
 void wake_round(physics::PhysicsWorld& world, std::span<const Vec3d> points_m) {
     constexpr double kNear_m = 0.1;
-    Vec3d low = points_m.front();
-    Vec3d high = low;
-    for (const Vec3d& point : points_m) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
+    const auto [low, high] = physics::bounds_of(points_m);
     for (const physics::BodyId body :
          physics::bodies_in_box(world, Vec3(low - kNear_m), Vec3(high + kNear_m)))
         world.wake(body);

@@ -23,12 +23,7 @@ constexpr Real kFromWall_m = 0.1_r;
 
 /// Whether the line of sight comes near the box round the points at all.
 bool may_be_seen(std::span<const Vec3d> points_m, const Aim& aim) {
-    Vec3d low = points_m.front();
-    Vec3d high = low;
-    for (const Vec3d& point : points_m) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
+    const auto [low, high] = physics::bounds_of(points_m);
     const Vec3d to_middle = (low + high) / 2.0 - Vec3d(aim.eye_m);
     const Vec3d forward(aim.forward);
     const Vec3d beside = to_middle - forward * std::max(glm::dot(to_middle, forward), 0.0);
