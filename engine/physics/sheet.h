@@ -67,11 +67,21 @@ private:
     void for_triangles(const F& visit) const;
     void add_threads();
     void find_across();
+    double most_aligned();
     void add_stretch();
-    void add_shear();
     void add_bending();
+    void add_cell(std::uint32_t column, std::uint32_t row);
     void add_drag();
-    void damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2);
+    Vec3d drag_Ns(std::size_t top) const;
+    /// Of the cell below and to the right of a point: row by row.
+    std::array<std::size_t, 4> corners_of(std::size_t top) const {
+        return {top, top + 1, top + columns_, top + columns_ + 1};
+    }
+    void damp_shear(std::uint32_t first, std::uint32_t row, double stiff_kgm2);
+    void push_at_once(std::size_t point, const Vec3d& impulse_Ns) {
+        velocities_mps_[point] += impulse_Ns * inverse_masses_[point];
+        if (!(inverse_masses_[point] > 0)) impulses_Ns_[point] += impulse_Ns;
+    }
 
     std::uint32_t columns_;
     std::uint32_t rows_;
@@ -79,10 +89,13 @@ private:
     SheetDef def_;
     std::array<ThreadFamily, 2> families_;  ///< along x and along y
     std::array<StripFamily, 2> strips_;
-    double bend_share_{1};  ///< as stiffness_share(), which is of stretch and shear
+    double bend_share_{1};     ///< as stiffness_share(), which is of stretch and shear
+    double bend_lag_s_{0};     ///< damping of bending that forces bear; 0: lines damp it
+    bool takes_turns_{false};  ///< which family of threads is damped first
     std::vector<double>
         weights_;  ///< of forces on points that tension pulls across too fast; empty: 1
     std::vector<double> across_radps2_;  ///< by point, of the latest plan
+    std::vector<Vec3d> drags_Ns_;        // scratch, by cell
     std::size_t torn_{0};
 };
 

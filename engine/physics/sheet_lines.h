@@ -20,11 +20,11 @@ struct Thread {
     Vec3d direction{0, 0, 0};  ///< likewise: unit, from a to b; none where it has no length
 };
 
-/// Lines of threads, one after the other; within a line each begins where the one before ends.
+/// Lines of threads, as long as each other, one after the other; within a line each thread begins where the one before ends.
 class ThreadFamily {
 public:
     std::vector<Thread> threads;
-    std::vector<std::uint32_t> line_ends;  ///< number of the thread after a line's last
+    std::size_t per_line{1};
 
     /// Sets the length and the direction of each.
     void measure(std::span<const Vec3d> positions_m);
@@ -37,12 +37,13 @@ public:
                std::span<Vec3d> held_Ns);
 
 private:
-    void find_pulls(std::span<const Thread> line,
+    template <std::size_t kLines>
+    void find_pulls(std::size_t first,
                     double scale_s2,
                     std::span<const double> inverse_masses,
                     std::span<const Vec3d> velocities_mps);
 
-    std::vector<double> upper_;  // scratch, by thread of a line
+    std::vector<double> upper_;  // scratch, by thread
     std::vector<double> pulls_Ns_;
 };
 

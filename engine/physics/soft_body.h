@@ -54,6 +54,8 @@ private:
         std::array<double, 3> contraction_Npm{};  ///< of what bends along two axes across this one
         std::array<Vec3d, 3> axes;                ///< unit
         double volume_m3{0};
+        double steepest_pm2{0};  ///< square of the fastest wave's gradient
+        double share{1};         ///< of its stiffness that the latest plan's sub-steps bear
     };
     /// How a cell is deformed.
     struct Strain {
@@ -78,6 +80,12 @@ private:
     Modes pulls_of(const Cell& cell, const Modes& bent_m) const;
     Strain strain_of(std::size_t cell, const std::vector<Vec3d>& of) const;
     double volume_of(const std::vector<Vec3d>& points_m) const;
+    void damp() override;
+    void damp_against(const std::vector<Vec3d>& velocities_mps);
+    void spread(std::size_t number,
+                const Load& load,
+                double seconds,
+                std::vector<Vec3d>& impulses_Ns) const;
     void add_forces() override;
     template <class F>
     void for_half_triangles(const std::vector<Vec3d>& points_m, const F& visit) const;
@@ -91,12 +99,17 @@ private:
     double displaced_m3() const override;
 
     SoftBodyDef def_;
-    double shear_Pa_;      ///< Lame's mu
-    double volume_Pa_;     ///< lambda of the energy: Lame's + mu
-    double damping_s_{0};  ///< what the sub-step bears of it
+    double shear_Pa_;   ///< Lame's mu
+    double volume_Pa_;  ///< lambda of the energy: Lame's + mu
     double longest_side_m_{0};
-    double shortest_m2_{1e30};  ///< 1 / sum of 1 / side2, of the smallest cell
+    double least_share_{1};        ///< of its stiffness
+    std::uint32_t iterations_{0};  ///< of damp(), at most
     std::vector<Cell> cells_;
+    std::vector<Strain> strains_;      // in the sub-step at hand
+    std::vector<Vec3d> damped_Ns_;     // scratch, by point
+    std::vector<Vec3d> residual_mps_;  // likewise
+    std::vector<Vec3d> search_mps_;
+    std::vector<Vec3d> image_mps_;
     std::vector<double> drag_kgps_;  ///< by point, in the sub-step at hand
     std::uint32_t substep_{0};       ///< counts
 };

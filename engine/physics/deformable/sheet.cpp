@@ -15,8 +15,8 @@ constexpr double kMostDamped_rad2 = 1.8;
 /// Of it, what bending and tension across the threads have where not all of it can be had.
 constexpr double kMostBending_rad2 = 0.8;
 constexpr double kMostAcross_rad2 = 0.5;
-/// Threads give back a little less than they take, so that what rings falls silent: a mode of frequency w decays at this times w2 h / 2.
-constexpr double kInternalFriction = 0.05;
+/// Of damping that forces bear: the share of its speed that the fastest bending mode loses in a sub-step.
+constexpr double kMostLag = 0.2;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void Sheet::add_threads() {
                                       .rest_m = length_m,
                                       .stiffness_Npm = def_.stretch_Npm * width_m / length_m,
                                       .width_m = width_m});
-        family.line_ends.push_back(static_cast<std::uint32_t>(family.threads.size()));
+        family.per_line = count - 1;
         const double bend_Npm = def_.bend_Nm * width_m / (length_m * length_m * length_m);
         strips_[axis].strips.push_back(
             {.first = first, .stride = stride, .count = count, .stiffness_Npm = bend_Npm});
@@ -78,12 +78,34 @@ void Sheet::find_across() {
     }
 }
 
+/// Of all threads that meet at a corner: the largest cosine of the angle between two of different families.
+double Sheet::most_aligned() {
+    for (ThreadFamily& family : families_) family.measure(positions_m_);
+    const std::vector<Thread>& along = families_[0].threads;
+    const std::vector<Thread>& down = families_[1].threads;
+    double most = 0;
+    for (std::size_t row = 0; row + 1 < rows_; ++row) {
+        for (std::size_t column = 0; column + 1 < columns_; ++column) {
+            const Thread* top = &along[row * (columns_ - 1) + column];
+            const Thread* left = &down[column * (rows_ - 1) + row];
+            for (const Thread* x : {top, top + (columns_ - 1)}) {
+                for (const Thread* y : {left, left + (rows_ - 1)})
+                    most = std::max(most, std::abs(glm::dot(x->direction, y->direction)));
+            }
+        }
+    }
+    return std::min(most, 1.0);
+}
+
 std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double x2 = 1 / (cell_m_[0] * cell_m_[0]);
     const double y2 = 1 / (cell_m_[1] * cell_m_[1]);
     const double rho = def_.density_kgpm2;
+    // Threads that cross at right angles do not stiffen each other.
+    const double aligned = 2 * most_aligned() / (cell_m_[0] * cell_m_[1]);
+    const double along = (x2 + y2 + std::hypot(x2 - y2, aligned)) / 2;
     const double stretching =
-        4 * (def_.stretch_Npm * (x2 + y2) + def_.shear_Npm * std::max(x2, y2)) / rho;
+        4 * (def_.stretch_Npm * along + def_.shear_Npm * std::max(x2, y2)) / rho;
     const double bending = 16 * def_.bend_Nm * (x2 + y2) * (x2 + y2) / rho;
     find_across();
     const double tension = *std::ranges::max_element(across_radps2_);
@@ -93,15 +115,21 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const std::uint32_t count = take_substeps(seconds, wanted, most);
     bend_share_ = 1;
     weights_.clear();
+    takes_turns_ = false;
+    bend_lag_s_ = bending * substep_s_ * def_.damping_s < kMostLag ? def_.damping_s : 0;
     if (count >= wanted) return count;
     const double h2 = substep_s_ * substep_s_;
     bend_share_ = std::min(1.0, kMostBending_rad2 / std::max(bending * h2, 1e-12));
-    const double left_rad2 =
-        most_rad2 - bend_share_ * bending * h2 - std::min(tension * h2, kMostAcross_rad2);
-    stiffness_share_ = std::min(1.0, left_rad2 / std::max(stretching * h2, 1e-12));
-    if (tension * h2 <= kMostAcross_rad2) return count;
+    const double left_rad2 = most_rad2 - bend_share_ * bending * h2;
+    const auto share_of = [&](double rad2) {
+        return std::min(1.0, rad2 / std::max(stretching * h2, 1e-12));
+    };
+    // What is softer pulls less across.
+    const double across_s2 = share_of(left_rad2) * h2;
+    stiffness_share_ = share_of(left_rad2 - std::min(tension * across_s2, kMostAcross_rad2));
+    if (tension * across_s2 <= kMostAcross_rad2) return count;
     for (const double radps2 : across_radps2_)
-        weights_.push_back(std::min(1.0, kMostAcross_rad2 / std::max(radps2 * h2, 1e-12)));
+        weights_.push_back(std::min(1.0, kMostAcross_rad2 / std::max(radps2 * across_s2, 1e-12)));
     return count;
 }
 
@@ -150,164 +178,6 @@ void Sheet::list_parts(SurfaceParts& parts) const {
             if (thread.stiffness_Npm > 0) parts.edges.push_back({thread.a, thread.b});
         }
     }
-}
-
-void Sheet::add_forces() {
-    add_stretch();
-    add_shear();
-    if (def_.bend_Nm > 0) add_bending();
-    if (def_.drag > 0) add_drag();
-}
-
-void Sheet::add_stretch() {
-    const double h = substep_s_;
-    for (const ThreadFamily& family : families_) {
-        for (const Thread& thread : family.threads) {
-            const double opening_m =
-                glm::dot(thread.direction, velocities_mps_[thread.b] - velocities_mps_[thread.a]) *
-                h;
-            const double pull_Ns =
-                stiffness_share_ * thread.stiffness_Npm * h *
-                (thread.length_m - thread.rest_m + opening_m * kInternalFriction);
-            impulses_Ns_[thread.a] += thread.direction * pull_Ns;
-            impulses_Ns_[thread.b] -= thread.direction * pull_Ns;
-        }
-    }
-}
-
-/// By the two diagonals e and f of a cell: (e2 - f2) / 4 is the dot product of its mean sides.
-void Sheet::add_shear() {
-    const double area_m2 = cell_m_[0] * cell_m_[1];
-    const double scale = stiffness_share_ * def_.shear_Npm * substep_s_ / (8 * area_m2);
-    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
-        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
-            if (torn_ > 0 && !is_whole(column, row)) continue;
-            const std::size_t top = at(column, row);
-            const std::size_t below = top + columns_;
-            const Vec3d e = positions_m_[below + 1] - positions_m_[top];
-            const Vec3d f = positions_m_[below] - positions_m_[top + 1];
-            const double half_Nspm = scale * (glm::dot(e, e) - glm::dot(f, f));
-            impulses_Ns_[top] += e * half_Nspm;
-            impulses_Ns_[below + 1] -= e * half_Nspm;
-            impulses_Ns_[top + 1] -= f * half_Nspm;
-            impulses_Ns_[below] += f * half_Nspm;
-        }
-    }
-}
-
-void Sheet::add_bending() {
-    const double scale_s = bend_share_ * substep_s_;
-    for (const StripFamily& family : strips_) {
-        for (const StripFamily::Strip& strip : family.strips) {
-            const double k = strip.stiffness_Npm * scale_s;
-            for (std::uint32_t i = 0; i + 2 < strip.count; ++i) {
-                const std::size_t first = strip.first + std::size_t{i} * strip.stride;
-                const std::size_t middle = first + strip.stride;
-                const std::size_t last = middle + strip.stride;
-                const double held = clamp_factor(
-                    inverse_masses_[first], inverse_masses_[middle], inverse_masses_[last]);
-                const Vec3d pull =
-                    (positions_m_[first] - 2.0 * positions_m_[middle] + positions_m_[last]) *
-                    (k * held);
-                impulses_Ns_[first] -= pull;
-                impulses_Ns_[middle] += 2.0 * pull;
-                impulses_Ns_[last] -= pull;
-            }
-        }
-    }
-    const double twist_Nspm = 2 * def_.bend_Nm * scale_s / (cell_m_[0] * cell_m_[1]);
-    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
-        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
-            const std::size_t top = at(column, row);
-            const std::size_t below = top + columns_;
-            const Vec3d pull = (positions_m_[top] - positions_m_[top + 1] - positions_m_[below] +
-                                positions_m_[below + 1]) *
-                               twist_Nspm;
-            impulses_Ns_[top] -= pull;
-            impulses_Ns_[top + 1] += pull;
-            impulses_Ns_[below] += pull;
-            impulses_Ns_[below + 1] -= pull;
-        }
-    }
-}
-
-/// Each line takes exactly what its damping takes in the sub-step, never more than there is; forwards and backwards by half, which
-/// keeps all of it together stable, too.
-void Sheet::damp() {
-    for (ThreadFamily& family : families_) family.measure(positions_m_);
-    if (!(def_.damping_s > 0)) return;
-    const double half_s2 = substep_s_ * def_.damping_s / 2;
-    const double shear_kgm2 = def_.shear_Npm * cell_m_[0] * cell_m_[1] * half_s2 * stiffness_share_;
-    const std::uint32_t across = columns_ - 1;
-    const std::uint32_t cells = across * (rows_ - 1);
-    for (StripFamily& strips : strips_)
-        strips.relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
-    for (ThreadFamily& family : families_)
-        family.relax(half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
-    for (std::uint32_t i = 0; i < cells; ++i) damp_shear(i % across, i / across, shear_kgm2);
-    for (std::uint32_t i = cells; i-- > 0;) damp_shear(i % across, i / across, shear_kgm2);
-    for (const std::size_t axis : {1U, 0U})
-        families_[axis].relax(
-            half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
-    for (const std::size_t axis : {1U, 0U})
-        strips_[axis].relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
-}
-
-void Sheet::damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2) {
-    if (torn_ > 0 && !is_whole(column, row)) return;
-    const double twice_m2 = 2 * cell_m_[0] * cell_m_[1];
-    const std::array<std::size_t, 4> corners{
-        at(column, row), at(column + 1, row + 1), at(column, row + 1), at(column + 1, row)};
-    const Vec3d e = (positions_m_[corners[1]] - positions_m_[corners[0]]) / twice_m2;
-    const Vec3d f = (positions_m_[corners[2]] - positions_m_[corners[3]]) / twice_m2;
-    const std::array<Vec3d, 4> gradients{-e, e, -f, f};
-    double opening = 0;
-    double weight = 1 / stiff_kgm2;
-    for (std::size_t i = 0; i < 4; ++i) {
-        opening += glm::dot(gradients[i], velocities_mps_[corners[i]]);
-        weight += inverse_masses_[corners[i]] * glm::dot(gradients[i], gradients[i]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3d impulse = gradients[i] * (-opening / weight);
-        velocities_mps_[corners[i]] += impulse * inverse_masses_[corners[i]];
-        if (!(inverse_masses_[corners[i]] > 0)) impulses_Ns_[corners[i]] += impulse;
-    }
-}
-
-/// Of air, or of water where the point is under.
-void Sheet::add_drag() {
-    const double h = substep_s_;
-    const auto is_wet = [this](std::size_t i) { return positions_m_[i].y < fluids_[i].level_m; };
-    const auto flow_mps = [&](std::size_t i) {
-        if (fluids_.empty()) return Vec3d{0, 0, 0};
-        return is_wet(i) ? fluids_[i].flow_mps : fluids_[i].air_mps;
-    };
-    const auto density_kgpm3 = [&](std::size_t i) {
-        if (fluids_.empty() || !is_wet(i)) return def_.air_density_kgpm3;
-        return fluids_[i].density_kgpm3 * fluids_[i].drag;
-    };
-    const double third_kg = def_.density_kgpm2 * cell_m_[0] * cell_m_[1] / 6;
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-        const Vec3d across =
-            glm::cross(positions_m_[b] - positions_m_[a], positions_m_[c] - positions_m_[a]);
-        const double twice_m2 = glm::length(across);
-        if (!(twice_m2 > 0)) return;
-        const Vec3d normal = across / twice_m2;
-        const auto mean_of = [&](const auto& of) { return (of(a) + of(b) + of(c)) / 3.0; };
-        const Vec3d now = mean_of([&](std::size_t i) { return velocities_mps_[i] - flow_mps(i); });
-        // With all else that acts in the sub-step, so that what is steady is exact.
-        const Vec3d against =
-            now + mean_of([this](std::size_t i) { return impulses_Ns_[i] * inverse_masses_[i]; });
-        // A third of it for each point, solved over the sub-step.
-        const double half_rho = 0.5 * mean_of(density_kgpm3) * def_.drag;
-        const double k_kgps = half_rho * twice_m2 / 6 * glm::length(now);
-        const Vec3d push =
-            normal * (glm::dot(against, normal) * k_kgps * h / (1 + k_kgps * h / third_kg));
-        impulses_Ns_[a] -= push;
-        impulses_Ns_[b] -= push;
-        impulses_Ns_[c] -= push;
-    };
-    for_triangles(add);
 }
 
 void Sheet::after_move() {

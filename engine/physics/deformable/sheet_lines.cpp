@@ -7,6 +7,8 @@ namespace {
 constexpr double kHeld_kg = 1e12;
 /// Shorter threads have no direction.
 constexpr double kNoLength_m = 1e-9;
+/// Lines that are solved side by side.
+constexpr std::size_t kAtOnce = 4;
 
 }  // namespace
 
@@ -14,7 +16,7 @@ void ThreadFamily::measure(std::span<const Vec3d> positions_m) {
     for (Thread& thread : threads) {
         const Vec3d along = positions_m[thread.b] - positions_m[thread.a];
         thread.length_m = glm::length(along);
-        thread.direction = thread.length_m > kNoLength_m ? along / thread.length_m : Vec3d{0};
+        thread.direction = thread.length_m > kNoLength_m ? along * (1 / thread.length_m) : Vec3d{0};
     }
 }
 
@@ -22,53 +24,63 @@ void ThreadFamily::relax(double scale_s2,
                          std::span<const double> inverse_masses,
                          std::span<Vec3d> velocities_mps,
                          std::span<Vec3d> held_Ns) {
-    std::size_t first = 0;
-    for (const std::uint32_t end : line_ends) {
-        const std::span<const Thread> line{threads.data() + first, end - first};
-        find_pulls(line, scale_s2, inverse_masses, velocities_mps);
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const Vec3d pull = line[i].direction * pulls_Ns_[i];
-            const double w_a = inverse_masses[line[i].a];
-            const double w_b = inverse_masses[line[i].b];
-            velocities_mps[line[i].a] += pull * w_a;
-            velocities_mps[line[i].b] -= pull * w_b;
-            if (!(w_a > 0)) held_Ns[line[i].a] += pull;
-            if (!(w_b > 0)) held_Ns[line[i].b] -= pull;
-        }
-        first = end;
+    upper_.resize(threads.size());
+    pulls_Ns_.resize(threads.size());
+    const std::size_t lines = threads.size() / per_line;
+    std::size_t line = 0;
+    for (; line + kAtOnce <= lines; line += kAtOnce)
+        find_pulls<kAtOnce>(line * per_line, scale_s2, inverse_masses, velocities_mps);
+    for (; line < lines; ++line)
+        find_pulls<1>(line * per_line, scale_s2, inverse_masses, velocities_mps);
+    for (std::size_t i = 0; i < threads.size(); ++i) {
+        const Thread& thread = threads[i];
+        const Vec3d pull = thread.direction * pulls_Ns_[i];
+        const double w_a = inverse_masses[thread.a];
+        const double w_b = inverse_masses[thread.b];
+        velocities_mps[thread.a] += pull * w_a;
+        velocities_mps[thread.b] -= pull * w_b;
+        if (!(w_a > 0)) held_Ns[thread.a] += pull;
+        if (!(w_b > 0)) held_Ns[thread.b] -= pull;
     }
 }
 
-/// Thomas's algorithm.
-void ThreadFamily::find_pulls(std::span<const Thread> line,
+/// Thomas's algorithm, on lines side by side: each waits for its own divisions.
+template <std::size_t kLines>
+void ThreadFamily::find_pulls(std::size_t first,
                               double scale_s2,
                               std::span<const double> inverse_masses,
                               std::span<const Vec3d> velocities_mps) {
-    upper_.assign(line.size(), 0);
-    pulls_Ns_.assign(line.size(), 0);
-    double lower = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const Thread& thread = line[i];
-        const double w_b = inverse_masses[thread.b];
-        const double weight = inverse_masses[thread.a] + w_b;
-        if (!(thread.stiffness_Npm > 0 && weight > 0)) {
-            lower = 0;
-            continue;
+    for (std::size_t i = 0; i < per_line; ++i) {
+        for (std::size_t line = 0; line < kLines; ++line) {
+            const std::size_t at = first + line * per_line + i;
+            const Thread& thread = threads[at];
+            const double w_a = inverse_masses[thread.a];
+            const double w_b = inverse_masses[thread.b];
+            const double stiff_kg = w_a + w_b > 0 ? thread.stiffness_Npm * scale_s2 : 0;
+            double diagonal = 1 + stiff_kg * (w_a + w_b);
+            double pull_Ns =
+                stiff_kg *
+                glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
+            if (i > 0) {
+                const double lower =
+                    -stiff_kg * w_a * glm::dot(thread.direction, threads[at - 1].direction);
+                diagonal -= lower * upper_[at - 1];
+                pull_Ns -= lower * pulls_Ns_[at - 1];
+            }
+            const double inverse = 1 / diagonal;
+            pulls_Ns_[at] = pull_Ns * inverse;
+            upper_[at] = i + 1 < per_line
+                             ? -stiff_kg * w_b * inverse *
+                                   glm::dot(thread.direction, threads[at + 1].direction)
+                             : 0;
         }
-        double diagonal = 1 / (thread.stiffness_Npm * scale_s2) + weight;
-        double opening =
-            glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
-        if (i > 0) {
-            diagonal -= lower * upper_[i - 1];
-            opening -= lower * pulls_Ns_[i - 1];
-        }
-        const bool goes_on = i + 1 < line.size() && line[i + 1].stiffness_Npm > 0;
-        const double next = goes_on ? -w_b * glm::dot(thread.direction, line[i + 1].direction) : 0;
-        upper_[i] = next / diagonal;
-        pulls_Ns_[i] = opening / diagonal;
-        lower = next;
     }
-    for (std::size_t i = line.size(); i-- > 1;) pulls_Ns_[i - 1] -= upper_[i - 1] * pulls_Ns_[i];
+    for (std::size_t i = per_line; i-- > 1;) {
+        for (std::size_t line = 0; line < kLines; ++line) {
+            const std::size_t at = first + line * per_line + i;
+            pulls_Ns_[at - 1] -= upper_[at - 1] * pulls_Ns_[at];
+        }
+    }
 }
 
 void StripFamily::relax(double scale_s2,

@@ -1,6 +1,7 @@
 #include "engine/physics/soft_body.h"
 
 #include "engine/core/io/archive.h"
+#include "engine/physics/force_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,15 @@
 namespace plumbline::physics {
 namespace {
 
-/// Of stiffness: the square of what a sub-step turns the fastest mode by; symplectic Euler bears 4 with twice the damping's share.
-constexpr double kMostSoft_rad2 = 2;
-/// Of that, what damping may take where not all of it can be had.
-constexpr double kMostDamping_rad2 = 0.6;
+/// The square of what a sub-step turns the fastest mode by; symplectic Euler bears 4, and 2 where damping leaves nothing of a speed.
+constexpr double kMostSoft_rad2 = 1.8;
+/// Of stiffness, what a body has at least: its weight shortens a column of its length by half of this part.
+constexpr double kMostBySelf = 0.25;
+constexpr double kMostForced = 1000;  ///< sub-steps
+/// Conjugate gradients: of what damping does to velocities, the share that may be missing; and iterations, which are as dear as sub-steps.
+constexpr double kUndamped = 0.02;
+constexpr std::uint32_t kFewestIterations = 4;
+constexpr std::uint32_t kMostIterations = 40;
 /// Damping that lets what rings fall silent, in sub-steps; counted every fifth: the fastest mode may turn once in four, and would hide.
 constexpr double kSoftFriction = 0.02;
 constexpr std::uint32_t kRubsEvery = 5;
@@ -42,14 +48,15 @@ SoftBody::SoftBody(SoftBodyDef def)
         cells_.push_back(cell_of(i));
         for (const std::uint32_t point : def_.grid.cells[i])
             masses_kg[point] += def_.density_kgpm3 * cells_.back().volume_m3 / 8;
-        // Four points to each side of every plane: the gradient of the fastest wave (Flanagan and Belytschko 1984).
-        double steepest_pm2 = 0;
-        for (const Vec3d& gradient : cells_.back().gradients_pm)
-            steepest_pm2 += glm::dot(gradient, gradient);
-        shortest_m2_ = std::min(shortest_m2_, 1 / (8 * steepest_pm2));
     }
     for (std::size_t i = 0; i < masses_kg.size(); ++i)
         add_point(def_.grid.points_m[i], masses_kg[i]);
+    const auto [low_m, high_m] = bounds_of(def_.grid.points_m);
+    const Vec3d size_m = high_m - low_m;
+    const double longest_m = std::max({size_m.x, size_m.y, size_m.z});
+    least_share_ = std::min(
+        1.0,
+        def_.density_kgpm3 * kStandardGravity_mps2 * longest_m / (kMostBySelf * def_.young_Pa));
     for (const SoftGrid::Face& face : def_.grid.faces) {
         for (std::size_t i = 0; i < 4; ++i)
             longest_side_m_ = std::max(longest_side_m_,
@@ -77,6 +84,9 @@ SoftBody::Cell SoftBody::cell_of(std::size_t number) const {
     }
     for (std::uint32_t i = 0; i < 8; ++i)
         cell.gradients_pm[i] = inverse * (Vec3d{sign_of(i, 0), sign_of(i, 1), sign_of(i, 2)} / 8.0);
+    // Four points to each side of every plane: the gradient of the fastest wave (Flanagan and Belytschko 1984).
+    for (const Vec3d& gradient : cell.gradients_pm)
+        cell.steepest_pm2 += 8 * glm::dot(gradient, gradient);
     // Plane stress: what bends contracts across itself, as it likes along the way in which strain grows.
     const double plate_N = 4.0 / 3 * def_.young_Pa / (1 - def_.poisson * def_.poisson);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -152,40 +162,111 @@ std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
                              std::max(0.0, away * std::sqrt(square_sum(f) / 3) - (rest - 1));
         squeezed = std::max(squeezed, bound);
     }
-    const double fastest_radps2 =
+    const double wave_m2ps2 =
         ((volume_Pa_ - shear_Pa_) * squeezed + 2 * shear_Pa_ + def_.young_Pa / 3) /
-        (def_.density_kgpm3 * shortest_m2_);
-    const double damping = def_.damping_s * fastest_radps2;
-    // (w h)2 + 2 d w2 h = kMost.
-    const double longest_s =
-        kMostSoft_rad2 / (damping + std::sqrt(damping * damping + kMostSoft_rad2 * fastest_radps2));
-    const double wanted = std::ceil(seconds / longest_s);
-    const std::uint32_t count = take_substeps(seconds, wanted, most);
-    damping_s_ = def_.damping_s;
-    if (count >= wanted) return count;
-    const double turned_rad2 = fastest_radps2 * substep_s_ * substep_s_;
-    damping_s_ = std::min(damping_s_, kMostDamping_rad2 / 2 / (fastest_radps2 * substep_s_));
-    stiffness_share_ = std::min(1.0, (kMostSoft_rad2 - kMostDamping_rad2) / turned_rad2);
+        def_.density_kgpm3;
+    const double steepest_pm2 =
+        std::ranges::max_element(cells_, {}, &Cell::steepest_pm2)->steepest_pm2;
+    const double wanted =
+        std::ceil(seconds * std::sqrt(wave_m2ps2 * steepest_pm2 / kMostSoft_rad2));
+    // What could not carry itself would turn inside out.
+    const double fewest = std::min(std::ceil(wanted * std::sqrt(least_share_)), kMostForced);
+    const std::uint32_t count =
+        take_substeps(seconds, wanted, std::max(most, static_cast<std::uint32_t>(fewest)));
+    iterations_ = std::clamp(most / count, kFewestIterations, kMostIterations);
+    const double bearable_pm2 = kMostSoft_rad2 / (wave_m2ps2 * substep_s_ * substep_s_);
+    double borne_m3 = 0;
+    double all_m3 = 0;
+    for (Cell& cell : cells_) {
+        cell.share = count < wanted ? std::min(1.0, bearable_pm2 / cell.steepest_pm2) : 1;
+        borne_m3 += cell.share * cell.volume_m3;
+        all_m3 += cell.volume_m3;
+    }
+    stiffness_share_ = borne_m3 / all_m3;
     return count;
 }
 
+/// Velocities become (1 + h d W K)^-1 times what they are, K the stiffness of the cells as they are deformed now, by conjugate
+/// gradients in the product of momenta. Whichever iteration they end with, momentum and angular momentum are kept.
+void SoftBody::damp() {
+    strains_.resize(cells_.size());
+    for (std::size_t i = 0; i < cells_.size(); ++i) strains_[i] = strain_of(i, positions_m_);
+    if (!(def_.damping_s > 0)) return;
+    const std::size_t count = positions_m_.size();
+    const auto product = [&](const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < count; ++i) sum += masses_kg_[i] * glm::dot(a[i], b[i]);
+        return sum;
+    };
+    damp_against(velocities_mps_);
+    residual_mps_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        residual_mps_[i] = -damped_Ns_[i] * inverse_masses_[i];
+        impulses_Ns_[i] -= inverse_masses_[i] > 0 ? Vec3d{0} : damped_Ns_[i];
+    }
+    search_mps_ = residual_mps_;
+    double left = product(residual_mps_, residual_mps_);
+    const double enough = kUndamped * kUndamped * left;
+    for (std::uint32_t k = 0; k < iterations_ && left > enough; ++k) {
+        damp_against(search_mps_);
+        image_mps_.resize(count);
+        for (std::size_t i = 0; i < count; ++i)
+            image_mps_[i] = search_mps_[i] + damped_Ns_[i] * inverse_masses_[i];
+        const double length = left / product(search_mps_, image_mps_);
+        for (std::size_t i = 0; i < count; ++i) {
+            velocities_mps_[i] += search_mps_[i] * length;
+            residual_mps_[i] -= image_mps_[i] * length;
+            impulses_Ns_[i] -= inverse_masses_[i] > 0 ? Vec3d{0} : damped_Ns_[i] * length;
+        }
+        const double before = std::exchange(left, product(residual_mps_, residual_mps_));
+        for (std::size_t i = 0; i < count; ++i)
+            search_mps_[i] = residual_mps_[i] + search_mps_[i] * (left / before);
+    }
+}
+
+/// Sets damped_Ns_ to what damping takes in a sub-step from points that move so.
+void SoftBody::damp_against(const std::vector<Vec3d>& velocities_mps) {
+    damped_Ns_.assign(velocities_mps.size(), Vec3d{0});
+    for (std::size_t number = 0; number < cells_.size(); ++number) {
+        Load load{.stress_Nm = glm::dmat3{0.0}, .pulls_N = {}};
+        load.pulls_N.fill(Vec3d{0});
+        add_damping(cells_[number],
+                    strains_[number],
+                    strain_of(number, velocities_mps),
+                    def_.damping_s,
+                    load);
+        spread(number, load, substep_s_, damped_Ns_);
+    }
+}
+
+void SoftBody::spread(std::size_t number,
+                      const Load& load,
+                      double seconds,
+                      std::vector<Vec3d>& impulses_Ns) const {
+    const Cell& cell = cells_[number];
+    const std::array<std::uint32_t, 8>& points = def_.grid.cells[number];
+    for (std::size_t i = 0; i < 8; ++i) {
+        Vec3d force = load.stress_Nm * cell.gradients_pm[i];
+        for (std::size_t mode = 0; mode < 4; ++mode)
+            force += load.pulls_N[mode] * cell.modes[mode][i];
+        impulses_Ns[points[i]] += force * seconds;
+    }
+}
+
 void SoftBody::add_forces() {
-    const double h = substep_s_ * stiffness_share_;
     // What rings loses a little, now and then.
     const bool rubs = ++substep_ % kRubsEvery == 0;
-    const double lost_s = damping_s_ + (rubs ? kRubsEvery * kSoftFriction * h : 0);
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const Cell& cell = cells_[number];
-        const Strain strain = strain_of(number, positions_m_);
+        const Strain& strain = strains_[number];
         Load load = elastic_load(cell, strain);
-        if (lost_s > 0) add_damping(cell, strain, strain_of(number, velocities_mps_), lost_s, load);
-        const std::array<std::uint32_t, 8>& points = def_.grid.cells[number];
-        for (std::size_t i = 0; i < 8; ++i) {
-            Vec3d force = load.stress_Nm * cell.gradients_pm[i];
-            for (std::size_t mode = 0; mode < 4; ++mode)
-                force += load.pulls_N[mode] * cell.modes[mode][i];
-            impulses_Ns_[points[i]] -= force * h;
-        }
+        if (rubs)
+            add_damping(cell,
+                        strain,
+                        strain_of(number, velocities_mps_),
+                        kRubsEvery * kSoftFriction * substep_s_,
+                        load);
+        spread(number, load, -substep_s_ * cell.share, impulses_Ns_);
     }
     if (!fluids_.empty()) add_water();
 }
@@ -215,15 +296,14 @@ void SoftBody::add_damping(
     const glm::dmat3 green_ps = (opening + glm::transpose(opening)) * 0.5;
     const double trace_ps = green_ps[0][0] + green_ps[1][1] + green_ps[2][2];
     const double lame_Pa = volume_Pa_ - shear_Pa_;
-    const double damped_s = lost_s / stiffness_share_;
     load.stress_Nm += f * (green_ps * (2 * shear_Pa_) + glm::dmat3(lame_Pa * trace_ps)) *
-                      (damped_s * cell.volume_m3);
+                      (lost_s * cell.volume_m3);
     Modes bent_m{};
     for (std::size_t mode = 0; mode < 4; ++mode) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             bent_m[mode][axis] =
-                damped_s * (glm::dot(f * cell.axes[axis], rate.modes_m[mode]) +
-                            glm::dot(rate.gradient * cell.axes[axis], strain.modes_m[mode]));
+                lost_s * (glm::dot(f * cell.axes[axis], rate.modes_m[mode]) +
+                          glm::dot(rate.gradient * cell.axes[axis], strain.modes_m[mode]));
     }
     add_modes(cell, strain, pulls_of(cell, bent_m), load);
 }
@@ -250,8 +330,9 @@ double SoftBody::elastic_J() const {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const auto [f, modes_m] = strain_of(i, positions_m_);
         const double volume = glm::determinant(f);
-        sum += cells_[i].volume_m3 * (shear_Pa_ / 2 * (square_sum(f) - 3) +
-                                      volume_Pa_ / 2 * (volume - rest) * (volume - rest) - at_rest);
+        double cell_J =
+            cells_[i].volume_m3 * (shear_Pa_ / 2 * (square_sum(f) - 3) +
+                                   volume_Pa_ / 2 * (volume - rest) * (volume - rest) - at_rest);
         Modes bent_m{};
         for (std::size_t mode = 0; mode < 4; ++mode) {
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -260,10 +341,11 @@ double SoftBody::elastic_J() const {
         const Modes pulls_N = pulls_of(cells_[i], bent_m);
         for (std::size_t mode = 0; mode < 4; ++mode) {
             for (std::size_t axis = 0; axis < 3; ++axis)
-                sum += pulls_N[mode][axis] * bent_m[mode][axis] / 2;
+                cell_J += pulls_N[mode][axis] * bent_m[mode][axis] / 2;
         }
+        sum += cells_[i].share * cell_J;
     }
-    return sum * stiffness_share_;
+    return sum;
 }
 
 }  // namespace plumbline::physics

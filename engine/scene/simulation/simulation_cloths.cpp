@@ -13,7 +13,7 @@ namespace {
 
 /// Sub-steps times points that a second of simulated time may take at draft, balanced and precise: what fits into a few
 /// milliseconds a step.
-constexpr std::array kWork_ps{0.7e6, 3e6, 12e6};
+constexpr std::array kWork_ps{1.5e6, 3e6, 12e6};
 constexpr std::array kCellsAlong{10.0, 20.0, 40.0};
 constexpr double kFewestCells = 4;
 

@@ -226,5 +226,29 @@ TEST(DeformableEffect, ClothSinksSlowlyWhereAirWouldLetItFall) {
     EXPECT_NEAR(low_end(run).y, -1 - 2 * wanted_mps, 0.02);
 }
 
+// Of fine cells, at a fidelity that allows few sub-steps: it once became so soft that it turned inside out and flew off, and never came
+// to rest where they were a few more.
+TEST(DeformableEffect, AHeavyBallOfFineCellsComesToRestAsARoundThing) {
+    SceneDescription scene = test::scene_of({test::ground()});
+    scene.forces.fidelity.soft = scene::Fidelity::Draft;
+    scene::SoftDescription ball;
+    ball.name = "ball";
+    ball.form = scene::SoftForm::Ellipsoid;
+    ball.size_m = {0.5, 0.5, 0.5};
+    ball.cell_m = 0.1;
+    ball.poisson = 0.33;
+    ball.damping_s = 0.02;
+    ball.pose.position = {0, 0.51_r, 0};
+    scene.forces.softs = {ball};
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run.step(300, effects);
+    const physics::PointBody& body = run->softs().front().body->body();
+    const auto [low, high] = physics::bounds_of(body.positions_m());
+    EXPECT_NEAR(high.y - low.y, 0.89, 0.02);
+    EXPECT_NEAR(high.x - low.x, 1.04, 0.02);
+    EXPECT_LT(body.totals().kinetic_J, 0.1);
+}
+
 }  // namespace
 }  // namespace plumbline::effects

@@ -13,7 +13,7 @@ constexpr double kScale_s2 = 0.5;
 TEST(SheetLines, AThreadSlowsHowItsEndsPart) {
     ThreadFamily family;
     family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 4, .direction = {1, 0, 0}}};
-    family.line_ends = {1};
+    family.per_line = 1;
     const std::array<double, 2> weights{1, 0.5};
     std::array<Vec3d, 2> velocities{Vec3d{0, 2, 0}, Vec3d{3, 0, 0}};
     std::array<Vec3d, 2> held{};
@@ -40,7 +40,7 @@ TEST(SheetLines, ALineIsSolvedAtOnce) {
     for (std::uint32_t i = 0; i + 1 < kPoints; ++i)
         family.threads.push_back(
             {.a = i, .b = i + 1, .stiffness_Npm = 3.0 + i, .direction = {1, 0, 0}});
-    family.line_ends = {kPoints - 1};
+    family.per_line = kPoints - 1;
     std::array<double, kPoints> weights{1, 2, 0, 1, 3, 1};
     std::array<Vec3d, kPoints> velocities{};
     for (std::size_t i = 0; i < kPoints; ++i) velocities[i].x = static_cast<double>(i * i);
@@ -64,7 +64,7 @@ TEST(SheetLines, ATornThreadTakesNothing) {
     ThreadFamily family;
     family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 0, .direction = {1, 0, 0}},
                       {.a = 1, .b = 2, .stiffness_Npm = 1e9, .direction = {1, 0, 0}}};
-    family.line_ends = {2};
+    family.per_line = 2;
     const std::array<double, 3> weights{1, 1, 1};
     std::array<Vec3d, 3> velocities{Vec3d{-5, 0, 0}, Vec3d{0, 0, 0}, Vec3d{2, 0, 0}};
     std::array<Vec3d, 3> held{};
