@@ -149,6 +149,7 @@ private:
     bool is_blown() const;
     void list_near(const PhysicsWorld& world, double step_s);
     void find_reach(double step_s);
+    std::uint32_t places_against(const PhysicsWorld& world, BodyId id, BodyKind kind) const;
     void add_near(const PhysicsWorld& world, BodyId id);
     void wake_touched(PhysicsWorld& world);
     void note_rest(double step_s, bool disturbed);

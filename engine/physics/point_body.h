@@ -67,12 +67,9 @@ public:
     /// 0: it is pinned.
     double inverse_mass(std::size_t point) const { return inverse_masses_[point]; }
 
-    /// From now on the point goes where it is led.
+    /// From now on the point goes where lead() says.
     void pin(std::size_t point) { inverse_masses_[point] = 0; }
     void unpin(std::size_t point) { inverse_masses_[point] = 1 / masses_kg_[point]; }
-    void lead(std::size_t point, const Vec3d& velocity_mps) {
-        velocities_mps_[point] = velocity_mps;
-    }
     /// What a pinned point pushed what holds it by in the latest sub-step, N s.
     const Vec3d& support_Ns(std::size_t point) const { return impulses_Ns_[point]; }
 
@@ -85,9 +82,16 @@ public:
     double stiffness_share() const { return stiffness_share_; }
     /// Changes velocities by all forces of a sub-step.
     void accelerate(const Vec3d& gravity_mps2);
-    /// At once: contacts.
+    /// At once: contacts, and what leads pinned points.
     void change_velocity(std::size_t point, const Vec3d& by_mps) {
         velocities_mps_[point] += by_mps;
+    }
+    /// What presses on a point, along a unit normal: of a body much heavier than what damping moves with the point. In the next
+    /// sub-step's damping it does not yield along the normal, and the body takes what damping does there.
+    void press(std::size_t point, const Vec3d& normal, double inverse_mass_pkg) {
+        if (inverse_mass_pkg * kMuchHeavier * masses_kg_[point] * damping_ >= 1) return;
+        braces_[point] = normal;
+        is_braced_ = true;
     }
     /// Moves points along their velocities.
     void move(double seconds);
@@ -109,6 +113,8 @@ public:
     void serialize(Archive& archive);
 
 protected:
+    static constexpr double kMuchHeavier = 4;  ///< times
+
     PointBody() = default;
     void add_point(const Vec3d& position_m, double mass_kg);
 
@@ -132,8 +138,12 @@ protected:
     std::vector<double> masses_kg_;
     std::vector<double> inverse_masses_;
     std::vector<Vec3d> impulses_Ns_;
+    std::vector<Vec3d> braces_;  ///< by point: a normal, or zero
+    bool is_braced_{false};      ///< any of them
     std::vector<FluidAtPoint> fluids_;
     double substep_s_{0};
+    double damping_{
+        0};  ///< of the latest plan: the share of its speed that the fastest mode loses in a sub-step, above 1 too
     double stiffness_share_{1};
 };
 
@@ -144,6 +154,8 @@ struct PointBounds {
 };
 PointBounds bounds_of(std::span<const Vec3d> points_m);
 
+/// A pinned point, so fast.
+void lead(PointBody& body, std::size_t point, const Vec3d& velocity_mps);
 /// Leaves this share of all motion.
 void slow_down(PointBody& body, double share);
 

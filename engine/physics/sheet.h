@@ -77,7 +77,7 @@ private:
     std::array<std::size_t, 4> corners_of(std::size_t top) const {
         return {top, top + 1, top + columns_, top + columns_ + 1};
     }
-    void damp_shear(std::uint32_t first, std::uint32_t row, double stiff_kgm2);
+    void damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2);
     void push_at_once(std::size_t point, const Vec3d& impulse_Ns) {
         velocities_mps_[point] += impulse_Ns * inverse_masses_[point];
         if (!(inverse_masses_[point] > 0)) impulses_Ns_[point] += impulse_Ns;
@@ -89,9 +89,8 @@ private:
     SheetDef def_;
     std::array<ThreadFamily, 2> families_;  ///< along x and along y
     std::array<StripFamily, 2> strips_;
-    double bend_share_{1};     ///< as stiffness_share(), which is of stretch and shear
-    double bend_lag_s_{0};     ///< damping of bending that forces bear; 0: lines damp it
-    bool takes_turns_{false};  ///< which family of threads is damped first
+    double bend_share_{1};  ///< as stiffness_share(), which is of stretch and shear
+    double bend_lag_s_{0};  ///< damping of bending that forces bear; 0: lines damp it
     std::vector<double>
         weights_;  ///< of forces on points that tension pulls across too fast; empty: 1
     std::vector<double> across_radps2_;  ///< by point, of the latest plan

@@ -18,6 +18,8 @@ struct Thread {
     double width_m{0};         ///< of the sheet that it stands for
     double length_m{0};        ///< as measured
     Vec3d direction{0, 0, 0};  ///< likewise: unit, from a to b; none where it has no length
+    Vec3d yields_a{0, 0, 0};   ///< of the direction, what its ends yield to
+    Vec3d yields_b{0, 0, 0};
 };
 
 /// Lines of threads, as long as each other, one after the other; within a line each thread begins where the one before ends.
@@ -28,9 +30,11 @@ public:
 
     /// Sets the length and the direction of each.
     void measure(std::span<const Vec3d> positions_m);
+    /// By point the normal along which it does not yield, or zero. After measure(), which undoes it.
+    void brace(std::span<const Vec3d> normals);
 
     /// Velocities become (1 + W K scale)^-1 times what they are, K the stiffness of the threads: by the tensions of each line, a
-    /// tridiagonal system. What threads pull at points that nothing moves is added to `held_Ns`.
+    /// tridiagonal system. What threads pull at points that do not yield is added to `held_Ns`.
     void relax(double scale_s2,
                std::span<const double> inverse_masses,
                std::span<Vec3d> velocities_mps,

@@ -82,6 +82,16 @@ private:
     double volume_of(const std::vector<Vec3d>& points_m) const;
     void damp() override;
     void damp_against(const std::vector<Vec3d>& velocities_mps);
+    /// Of damped_Ns_: how the point yields to it, and what it does not yield to.
+    Vec3d yielded_mps(std::size_t point) const {
+        return (damped_Ns_[point] - braces_[point] * glm::dot(braces_[point], damped_Ns_[point])) *
+               inverse_masses_[point];
+    }
+    Vec3d held_Ns(std::size_t point) const {
+        return inverse_masses_[point] > 0
+                   ? braces_[point] * glm::dot(braces_[point], damped_Ns_[point])
+                   : damped_Ns_[point];
+    }
     void spread(std::size_t number,
                 const Load& load,
                 double seconds,

@@ -24,14 +24,15 @@ constexpr double kSettling_per_s = 2;
 constexpr double kStill_mps = 0.05;
 /// Of its weight: what a sheet's push on a sleeping body must have changed by for it to wake.
 constexpr double kWakingShare = 0.05;
-/// Places along a cell's side that may touch a small body.
+/// Places along a cell's side that may touch a small body, or one that has edges there; what is hardly wider than thick has none.
 constexpr std::uint32_t kMostPlaces = 4;
+constexpr std::uint32_t kPlacesAtEdges = 3;
+constexpr double kRound = 1.05;
 /// Of the speed that a push would give a free body: what one that is held gets at least.
 constexpr double kLeastYield = 1e-3;
 constexpr double kPushed_mps = 1e-4;
 /// How far bodies are looked for beyond what they and the sheet move in a step.
 constexpr double kMargin_m = 0.02;
-
 /// Bodies are looked for so far off: at 60 Hz those up to 180 m/s.
 constexpr double kAhead_m = 3;
 
@@ -161,6 +162,26 @@ void Deformable::find_reach(double step_s) {
     reach_ = {low - around_m, high + around_m};
 }
 
+/// Along a cell's side. Between two points the surface cuts off what edges and corners of a body are among them; a body that reaches
+/// beyond the surface on four sides, as a floor does, has none there.
+std::uint32_t Deformable::places_against(const PhysicsWorld& world,
+                                         BodyId id,
+                                         BodyKind kind) const {
+    Vec3 low;
+    Vec3 high;
+    bounds(world, id, low, high);
+    const glm::bvec3 below = glm::lessThanEqual(Vec3d(low), reach_.low_m);
+    const glm::bvec3 above = glm::greaterThanEqual(Vec3d(high), reach_.high_m);
+    const int covered = (below.x && above.x) + (below.y && above.y) + (below.z && above.z);
+    std::uint32_t fewest = covered >= 2 ? 1 : kPlacesAtEdges;
+    if (kind != BodyKind::Dynamic) return fewest;
+    const double smallest_m = 2 * thinnest_half_m(world, id);
+    if (2 * radius_m(world, id) < kRound * smallest_m) fewest = 1;
+    const double places = std::ceil(3 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
+    return static_cast<std::uint32_t>(
+        std::clamp(places, static_cast<double>(fewest), static_cast<double>(kMostPlaces)));
+}
+
 void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const BodyState state = world.state(id);
     NearBody near{.id = id,
@@ -175,11 +196,8 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     near.is_kinematic = state.kind == BodyKind::Kinematic;
     near.belt = surface_motion(world, id);
     near.friction = std::sqrt(def_.surface.friction * friction_of(world, id));
+    near.places = places_against(world, id, state.kind);
     if (state.kind == BodyKind::Dynamic) {
-        const double smallest_m = 2 * thinnest_half_m(world, id);
-        const double places = std::ceil(3 * body_->longest_side_m() / std::max(smallest_m, 1e-3));
-        near.places =
-            static_cast<std::uint32_t>(std::clamp(places, 1.0, static_cast<double>(kMostPlaces)));
         if (state.pushable() && state.awake) movable_.push_back(id);
         near.can_wake = state.pushable() && !state.awake;
     }
@@ -336,11 +354,11 @@ void Deformable::lead_pins(double h, double left_s) {
             end = near.center_m + near.velocity_mps * h + then * holder.in_mass_m;
         }
         const Vec3d behind = start - body_->positions_m()[holder.point];
-        body_->lead(holder.point, (end - start) / h + behind / std::max(left_s, h));
+        physics::lead(*body_, holder.point, (end - start) / h + behind / std::max(left_s, h));
     }
     for (std::size_t i = 0; i < grip_.points.size(); ++i) {
         const Vec3d behind = grip_.places_m[i] - body_->positions_m()[grip_.points[i]];
-        body_->lead(grip_.points[i], behind / std::max(left_s, h));
+        physics::lead(*body_, grip_.points[i], behind / std::max(left_s, h));
     }
 }
 

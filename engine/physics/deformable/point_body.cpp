@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -18,6 +19,7 @@ void PointBody::add_point(const Vec3d& position_m, double mass_kg) {
     positions_m_.push_back(position_m);
     velocities_mps_.emplace_back(0, 0, 0);
     impulses_Ns_.emplace_back(0, 0, 0);
+    braces_.emplace_back(0, 0, 0);
     masses_kg_.push_back(mass_kg);
     inverse_masses_.push_back(1 / mass_kg);
 }
@@ -30,6 +32,7 @@ void PointBody::accelerate(const Vec3d& gravity_mps2) {
     for (std::size_t i = 0; i < masses_kg_.size(); ++i)
         impulses_Ns_[i] = gravity_mps2 * (masses_kg_[i] * substep_s_);
     damp();
+    if (std::exchange(is_braced_, false)) std::ranges::fill(braces_, Vec3d{0, 0, 0});
     add_forces();
     for (std::size_t i = 0; i < masses_kg_.size(); ++i)
         velocities_mps_[i] += impulses_Ns_[i] * (inverse_masses_[i] * weight_of(i));
@@ -77,10 +80,10 @@ PointTotals PointBody::totals() const {
 }
 
 void PointBody::serialize(Archive& archive) {
-    archive(positions_m_, velocities_mps_, inverse_masses_);
+    archive(positions_m_, velocities_mps_, inverse_masses_, braces_, is_braced_);
     const std::size_t count = masses_kg_.size();
     if (archive.expect(positions_m_.size() == count && velocities_mps_.size() == count &&
-                           inverse_masses_.size() == count,
+                           inverse_masses_.size() == count && braces_.size() == count,
                        "a deforming body has other points"))
         serialize_own(archive);
 }
@@ -94,9 +97,13 @@ PointBounds bounds_of(std::span<const Vec3d> points_m) {
     return bounds;
 }
 
+void lead(PointBody& body, std::size_t point, const Vec3d& velocity_mps) {
+    body.change_velocity(point, velocity_mps - body.velocities_mps()[point]);
+}
+
 void slow_down(PointBody& body, double share) {
     for (std::size_t i = 0; i < body.velocities_mps().size(); ++i)
-        body.lead(i, body.velocities_mps()[i] * share);
+        lead(body, i, body.velocities_mps()[i] * share);
 }
 
 }  // namespace plumbline::physics

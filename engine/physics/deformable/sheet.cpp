@@ -102,8 +102,9 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const double y2 = 1 / (cell_m_[1] * cell_m_[1]);
     const double rho = def_.density_kgpm2;
     // Threads that cross at right angles do not stiffen each other.
-    const double aligned = 2 * most_aligned() / (cell_m_[0] * cell_m_[1]);
-    const double along = (x2 + y2 + std::hypot(x2 - y2, aligned)) / 2;
+    const double aligned =
+        (def_.damping_s > 0 ? 1 : most_aligned()) * 2 / (cell_m_[0] * cell_m_[1]);
+    const double along = (x2 + y2 + std::sqrt((x2 - y2) * (x2 - y2) + aligned * aligned)) / 2;
     const double stretching =
         4 * (def_.stretch_Npm * along + def_.shear_Npm * std::max(x2, y2)) / rho;
     const double bending = 16 * def_.bend_Nm * (x2 + y2) * (x2 + y2) / rho;
@@ -115,7 +116,7 @@ std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
     const std::uint32_t count = take_substeps(seconds, wanted, most);
     bend_share_ = 1;
     weights_.clear();
-    takes_turns_ = false;
+    damping_ = stretching * substep_s_ * def_.damping_s;
     bend_lag_s_ = bending * substep_s_ * def_.damping_s < kMostLag ? def_.damping_s : 0;
     if (count >= wanted) return count;
     const double h2 = substep_s_ * substep_s_;

@@ -130,60 +130,51 @@ Vec3d Sheet::drag_Ns(std::size_t top) const {
     return area * (glm::dot(passing_mps + changed_mps / 4.0, area) * slowed_kg / area2);
 }
 
-/// Each line takes exactly what its damping takes in the sub-step, never more than there is. Cells and strips go forwards and
-/// backwards by half, and the two families, which hardly know of each other, take turns to be first: a product of contractions that
-/// is all but symmetric, which keeps all of it together stable, too.
+/// Each line takes exactly what its damping takes in the sub-step, never more than there is; forwards and backwards by half, which
+/// keeps all of it together stable, too.
 void Sheet::damp() {
     for (ThreadFamily& family : families_) family.measure(positions_m_);
     if (!(def_.damping_s > 0)) return;
-    const double lost_s2 = substep_s_ * def_.damping_s;
-    const double shear_kgm2 =
-        def_.shear_Npm * cell_m_[0] * cell_m_[1] * lost_s2 / 2 * stiffness_share_;
+    if (is_braced_) {
+        for (ThreadFamily& family : families_) family.brace(braces_);
+    }
+    const double half_s2 = substep_s_ * def_.damping_s / 2;
+    const double shear_kgm2 = def_.shear_Npm * cell_m_[0] * cell_m_[1] * half_s2 * stiffness_share_;
     const auto bend = [&](std::size_t axis) {
         if (bend_lag_s_ > 0) return;
-        strips_[axis].relax(lost_s2 / 2 * bend_share_, inverse_masses_, velocities_mps_);
+        strips_[axis].relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
     };
     const auto stretch = [&](std::size_t axis) {
         families_[axis].relax(
-            lost_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
+            half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
     };
-    bend(0);
-    bend(1);
-    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
-        for (const std::uint32_t first : {0U, 1U}) damp_shear(first, row, shear_kgm2);
-    }
-    const std::size_t leader = takes_turns_ ? 1 : 0;
-    takes_turns_ = !takes_turns_;
-    stretch(leader);
-    stretch(1 - leader);
-    for (std::uint32_t row = rows_ - 1; row-- > 0;) {
-        for (const std::uint32_t first : {1U, 0U}) damp_shear(first, row, shear_kgm2);
-    }
-    bend(1);
-    bend(0);
+    for (const std::size_t axis : {0U, 1U}) bend(axis);
+    for (const std::size_t axis : {0U, 1U}) stretch(axis);
+    const std::uint32_t across = columns_ - 1;
+    const std::uint32_t cells = across * (rows_ - 1);
+    for (std::uint32_t i = 0; i < cells; ++i) damp_shear(i % across, i / across, shear_kgm2);
+    for (std::uint32_t i = cells; i-- > 0;) damp_shear(i % across, i / across, shear_kgm2);
+    for (const std::size_t axis : {1U, 0U}) stretch(axis);
+    for (const std::size_t axis : {1U, 0U}) bend(axis);
 }
 
-/// Every second cell of a row: they share no corner.
-void Sheet::damp_shear(std::uint32_t first, std::uint32_t row, double stiff_kgm2) {
+void Sheet::damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2) {
+    if (torn_ > 0 && !is_whole(column, row)) return;
     const double inverse_m2 = 1 / (2 * cell_m_[0] * cell_m_[1]);
-    const double gives = 1 / stiff_kgm2;
-    for (std::uint32_t column = first; column + 1 < columns_; column += 2) {
-        if (torn_ > 0 && !is_whole(column, row)) continue;
-        const std::size_t top = at(column, row);
-        const std::size_t below = top + columns_;
-        const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
-        const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
-        const double opening = glm::dot(e, velocities_mps_[below + 1] - velocities_mps_[top]) -
-                               glm::dot(f, velocities_mps_[below] - velocities_mps_[top + 1]);
-        const double weight = gives +
-                              (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
-                              (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
-        const double pull = -opening / weight;
-        push_at_once(top, e * -pull);
-        push_at_once(below + 1, e * pull);
-        push_at_once(below, f * -pull);
-        push_at_once(top + 1, f * pull);
-    }
+    const std::size_t top = at(column, row);
+    const std::size_t below = top + columns_;
+    const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
+    const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
+    const double opening = glm::dot(e, velocities_mps_[below + 1] - velocities_mps_[top]) -
+                           glm::dot(f, velocities_mps_[below] - velocities_mps_[top + 1]);
+    const double weight = 1 / stiff_kgm2 +
+                          (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
+                          (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
+    const double pull = -opening / weight;
+    push_at_once(top, e * -pull);
+    push_at_once(below + 1, e * pull);
+    push_at_once(below, f * -pull);
+    push_at_once(top + 1, f * pull);
 }
 
 }  // namespace plumbline::physics

@@ -17,6 +17,14 @@ void ThreadFamily::measure(std::span<const Vec3d> positions_m) {
         const Vec3d along = positions_m[thread.b] - positions_m[thread.a];
         thread.length_m = glm::length(along);
         thread.direction = thread.length_m > kNoLength_m ? along * (1 / thread.length_m) : Vec3d{0};
+        thread.yields_a = thread.yields_b = thread.direction;
+    }
+}
+
+void ThreadFamily::brace(std::span<const Vec3d> normals) {
+    for (Thread& thread : threads) {
+        thread.yields_a -= normals[thread.a] * glm::dot(normals[thread.a], thread.direction);
+        thread.yields_b -= normals[thread.b] * glm::dot(normals[thread.b], thread.direction);
     }
 }
 
@@ -34,13 +42,15 @@ void ThreadFamily::relax(double scale_s2,
         find_pulls<1>(line * per_line, scale_s2, inverse_masses, velocities_mps);
     for (std::size_t i = 0; i < threads.size(); ++i) {
         const Thread& thread = threads[i];
-        const Vec3d pull = thread.direction * pulls_Ns_[i];
+        const double pull_Ns = pulls_Ns_[i];
         const double w_a = inverse_masses[thread.a];
         const double w_b = inverse_masses[thread.b];
-        velocities_mps[thread.a] += pull * w_a;
-        velocities_mps[thread.b] -= pull * w_b;
-        if (!(w_a > 0)) held_Ns[thread.a] += pull;
-        if (!(w_b > 0)) held_Ns[thread.b] -= pull;
+        velocities_mps[thread.a] += thread.yields_a * (pull_Ns * w_a);
+        velocities_mps[thread.b] -= thread.yields_b * (pull_Ns * w_b);
+        held_Ns[thread.a] +=
+            (w_a > 0 ? thread.direction - thread.yields_a : thread.direction) * pull_Ns;
+        held_Ns[thread.b] -=
+            (w_b > 0 ? thread.direction - thread.yields_b : thread.direction) * pull_Ns;
     }
 }
 
@@ -57,22 +67,22 @@ void ThreadFamily::find_pulls(std::size_t first,
             const double w_a = inverse_masses[thread.a];
             const double w_b = inverse_masses[thread.b];
             const double stiff_kg = w_a + w_b > 0 ? thread.stiffness_Npm * scale_s2 : 0;
-            double diagonal = 1 + stiff_kg * (w_a + w_b);
+            double diagonal = 1 + stiff_kg * (w_a * glm::dot(thread.yields_a, thread.yields_a) +
+                                              w_b * glm::dot(thread.yields_b, thread.yields_b));
             double pull_Ns =
                 stiff_kg *
                 glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
             if (i > 0) {
                 const double lower =
-                    -stiff_kg * w_a * glm::dot(thread.direction, threads[at - 1].direction);
+                    -stiff_kg * w_a * glm::dot(thread.yields_a, threads[at - 1].yields_b);
                 diagonal -= lower * upper_[at - 1];
                 pull_Ns -= lower * pulls_Ns_[at - 1];
             }
             const double inverse = 1 / diagonal;
             pulls_Ns_[at] = pull_Ns * inverse;
-            upper_[at] = i + 1 < per_line
-                             ? -stiff_kg * w_b * inverse *
-                                   glm::dot(thread.direction, threads[at + 1].direction)
-                             : 0;
+            upper_[at] = i + 1 < per_line ? -stiff_kg * w_b * inverse *
+                                                glm::dot(thread.yields_b, threads[at + 1].yields_a)
+                                          : 0;
         }
     }
     for (std::size_t i = per_line; i-- > 1;) {

@@ -173,6 +173,7 @@ std::uint32_t SoftBody::plan(double seconds, std::uint32_t most) {
     const double fewest = std::min(std::ceil(wanted * std::sqrt(least_share_)), kMostForced);
     const std::uint32_t count =
         take_substeps(seconds, wanted, std::max(most, static_cast<std::uint32_t>(fewest)));
+    damping_ = wave_m2ps2 * steepest_pm2 * substep_s_ * def_.damping_s;
     iterations_ = std::clamp(most / count, kFewestIterations, kMostIterations);
     const double bearable_pm2 = kMostSoft_rad2 / (wave_m2ps2 * substep_s_ * substep_s_);
     double borne_m3 = 0;
@@ -201,8 +202,8 @@ void SoftBody::damp() {
     damp_against(velocities_mps_);
     residual_mps_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        residual_mps_[i] = -damped_Ns_[i] * inverse_masses_[i];
-        impulses_Ns_[i] -= inverse_masses_[i] > 0 ? Vec3d{0} : damped_Ns_[i];
+        residual_mps_[i] = -yielded_mps(i);
+        impulses_Ns_[i] -= held_Ns(i);
     }
     search_mps_ = residual_mps_;
     double left = product(residual_mps_, residual_mps_);
@@ -210,13 +211,12 @@ void SoftBody::damp() {
     for (std::uint32_t k = 0; k < iterations_ && left > enough; ++k) {
         damp_against(search_mps_);
         image_mps_.resize(count);
-        for (std::size_t i = 0; i < count; ++i)
-            image_mps_[i] = search_mps_[i] + damped_Ns_[i] * inverse_masses_[i];
+        for (std::size_t i = 0; i < count; ++i) image_mps_[i] = search_mps_[i] + yielded_mps(i);
         const double length = left / product(search_mps_, image_mps_);
         for (std::size_t i = 0; i < count; ++i) {
             velocities_mps_[i] += search_mps_[i] * length;
             residual_mps_[i] -= image_mps_[i] * length;
-            impulses_Ns_[i] -= inverse_masses_[i] > 0 ? Vec3d{0} : damped_Ns_[i] * length;
+            impulses_Ns_[i] -= held_Ns(i) * length;
         }
         const double before = std::exchange(left, product(residual_mps_, residual_mps_));
         for (std::size_t i = 0; i < count; ++i)

@@ -13,6 +13,8 @@ namespace {
 /// What has sunk in comes out at this share a second, and no faster than so.
 constexpr double kOut_per_s = 20;
 constexpr double kOut_mps = 0.5;
+/// A place presses on a point that has at least so much of its weight.
+constexpr double kPresses = 0.4;
 constexpr int kContactSweeps = 2;
 /// Looked for beyond what moves there within the sub-step.
 constexpr double kReach_m = 0.005;
@@ -127,6 +129,15 @@ void SurfaceContacts::solve(PointBody& body, std::span<NearBody> near, double h)
     }
     for (int sweep = 0; sweep < kContactSweeps; ++sweep) {
         for (Contact& contact : contacts_) solve_one(contact, body, near[contact.near], h);
+    }
+    for (const Contact& contact : contacts_) {
+        if (contact.pressed_Ns == 0) continue;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (contact.place.weights[i] > kPresses)
+                body.press(contact.place.points[i],
+                           contact.normal,
+                           near[contact.near].motion().inverse_mass);
+        }
     }
 }
 

@@ -45,7 +45,7 @@ TEST(SavedFile, NoticesEveryFlippedBit) {
         EXPECT_TRUE(fault.starts_with("one.save: ")) << i;
         const std::size_t byte = i / 8;
         const std::string_view said = byte < 8    ? "no saved game"
-                                      : byte < 12 ? "; this program reads format 10"
+                                      : byte < 12 ? "; this program reads format 11"
                                       : byte < 20 ? "a "
                                                   : "a damaged saved game: its checksum is ";
         EXPECT_NE(fault.find(said), std::string::npos) << fault;
@@ -58,7 +58,7 @@ TEST(SavedFile, NamesTheOtherFormat) {
         bytes[8] = static_cast<char>(format);
         EXPECT_EQ(fault_of(bytes),
                   "one.save: a saved game of format " + std::to_string(format) +
-                      "; this program reads format 10");
+                      "; this program reads format 11");
     }
 }
 

@@ -75,6 +75,27 @@ TEST(Deformable, ABallShowsLittleBelowACoarseCloth) {
     EXPECT_GT(glm::distance(middle_m, cell_m), 0.12 - 0.01);
 }
 
+/// Cells of 15 cm over a box: where an edge lies between two points it would stick out by 5 cm.
+TEST(Deformable, ABoxShowsLittleThroughACoarseCloth) {
+    for (const BodyKind kind : {BodyKind::Static, BodyKind::Dynamic}) {
+        TestWorld test(in_small_steps());
+        test.ground();
+        test.add(BoxShape{{0.8_r, 0.8_r, 0.8_r}}, {0.05_r, 0.4_r, 0.02_r}, {.kind = kind});
+        Field cloth(
+            test.world, cloth_at(1, 1.8, 12), {.surface = {.thickness_m = 0.01}, .pins = {}});
+        cloth.run(4);
+        double deepest_m = 0;
+        for (const SurfacePlace& place : cloth.deformable.body().places(8)) {
+            Vec3d at{0, 0, 0};
+            for (std::size_t i = 0; i < 4; ++i)
+                at += cloth.deformable.body().positions_m()[place.points[i]] * place.weights[i];
+            const Vec3d out_m = glm::abs(at - Vec3d{0.05, 0.4, 0.02}) - 0.4;
+            deepest_m = std::min(deepest_m, std::max({out_m.x, out_m.y, out_m.z}));
+        }
+        EXPECT_GT(deepest_m, -0.01) << static_cast<int>(kind);
+    }
+}
+
 /// Static and kinematic bodies whose centre of mass is not their origin.
 TEST(Deformable, ClothLiesOnWhatIsBuiltBesideItsOrigin) {
     TestWorld test(in_small_steps());

@@ -54,7 +54,7 @@ TEST(PointBody, PinnedPointsGoWhereTheyAreLed) {
     dust.pin(1);
     EXPECT_EQ(dust.inverse_mass(1), 0);
     dust.plan(0.5, 9);
-    dust.lead(1, {0, 2, 0});
+    lead(dust, 1, {0, 2, 0});
     dust.accelerate({0, -10, 0});
     dust.change_velocity(0, {0, 5, 0});
     dust.move(dust.substep_s());

@@ -4,15 +4,27 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace plumbline::physics {
 namespace {
 
 constexpr double kScale_s2 = 0.5;
 
+/// As measure() leaves it.
+Thread thread_along_x(std::uint32_t a, double stiffness_Npm) {
+    const Vec3d x{1, 0, 0};
+    return {.a = a,
+            .b = a + 1,
+            .stiffness_Npm = stiffness_Npm,
+            .direction = x,
+            .yields_a = x,
+            .yields_b = x};
+}
+
 TEST(SheetLines, AThreadSlowsHowItsEndsPart) {
     ThreadFamily family;
-    family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 4, .direction = {1, 0, 0}}};
+    family.threads = {thread_along_x(0, 4)};
     family.per_line = 1;
     const std::array<double, 2> weights{1, 0.5};
     std::array<Vec3d, 2> velocities{Vec3d{0, 2, 0}, Vec3d{3, 0, 0}};
@@ -38,8 +50,7 @@ TEST(SheetLines, ALineIsSolvedAtOnce) {
     constexpr std::size_t kPoints = 6;
     ThreadFamily family;
     for (std::uint32_t i = 0; i + 1 < kPoints; ++i)
-        family.threads.push_back(
-            {.a = i, .b = i + 1, .stiffness_Npm = 3.0 + i, .direction = {1, 0, 0}});
+        family.threads.push_back(thread_along_x(i, 3.0 + i));
     family.per_line = kPoints - 1;
     std::array<double, kPoints> weights{1, 2, 0, 1, 3, 1};
     std::array<Vec3d, kPoints> velocities{};
@@ -60,10 +71,28 @@ TEST(SheetLines, ALineIsSolvedAtOnce) {
     }
 }
 
+// Against a normal that leans by 60 degrees from the thread: the end goes on along the normal, and what the thread does there is told.
+TEST(SheetLines, ABracedEndYieldsAcrossItsNormalOnly) {
+    ThreadFamily family;
+    family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 4}};
+    const Vec3d normal{0.5, std::sqrt(0.75), 0};
+    family.measure(std::array{Vec3d{0, 0, 0}, Vec3d{1, 0, 0}});
+    family.brace(std::array{Vec3d{0, 0, 0}, normal});
+    const std::array<double, 2> weights{1, 0.5};
+    std::array<Vec3d, 2> velocities{Vec3d{0, 0, 0}, Vec3d{3, 0, 0}};
+    const Vec3d before = velocities[1];
+    std::array<Vec3d, 2> held{};
+    family.relax(kScale_s2, weights, velocities, held);
+    // 0.5 * 4 * 3 / (1 + 0.5 * 4 * (1 + 0.5 * sin2 60))
+    const double pull = 6 / (1 + 2 * (1 + 0.5 * 0.75));
+    EXPECT_NEAR(velocities[0].x, pull, 1e-12);
+    EXPECT_NEAR(glm::dot(velocities[1] - before, normal), 0, 1e-12);
+    EXPECT_NEAR(glm::distance(held[1], normal * (-pull * 0.5)), 0, 1e-12);
+}
+
 TEST(SheetLines, ATornThreadTakesNothing) {
     ThreadFamily family;
-    family.threads = {{.a = 0, .b = 1, .stiffness_Npm = 0, .direction = {1, 0, 0}},
-                      {.a = 1, .b = 2, .stiffness_Npm = 1e9, .direction = {1, 0, 0}}};
+    family.threads = {thread_along_x(0, 0), thread_along_x(1, 1e9)};
     family.per_line = 2;
     const std::array<double, 3> weights{1, 1, 1};
     std::array<Vec3d, 3> velocities{Vec3d{-5, 0, 0}, Vec3d{0, 0, 0}, Vec3d{2, 0, 0}};
