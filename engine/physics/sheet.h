@@ -67,7 +67,7 @@ private:
     void for_triangles(const F& visit) const;
     void add_threads();
     void find_across();
-    double most_aligned();
+    double most_aligned() const;
     void add_stretch();
     void add_bending();
     void add_cell(std::uint32_t column, std::uint32_t row);

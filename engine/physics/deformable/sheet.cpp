@@ -69,9 +69,9 @@ void Sheet::find_across() {
     across_radps2_.assign(positions_m_.size(), 0.0);
     for (const ThreadFamily& family : families_) {
         for (const Thread& thread : family.threads) {
-            const double length_m = glm::distance(positions_m_[thread.a], positions_m_[thread.b]);
-            if (!(length_m > thread.rest_m)) continue;
-            const double each = 2 * thread.stiffness_Npm * (length_m - thread.rest_m) / length_m;
+            if (!(thread.length_m > thread.rest_m)) continue;
+            const double each =
+                2 * thread.stiffness_Npm * (thread.length_m - thread.rest_m) / thread.length_m;
             across_radps2_[thread.a] += each * inverse_masses_[thread.a];
             across_radps2_[thread.b] += each * inverse_masses_[thread.b];
         }
@@ -79,8 +79,7 @@ void Sheet::find_across() {
 }
 
 /// Of all threads that meet at a corner: the largest cosine of the angle between two of different families.
-double Sheet::most_aligned() {
-    for (ThreadFamily& family : families_) family.measure(positions_m_);
+double Sheet::most_aligned() const {
     const std::vector<Thread>& along = families_[0].threads;
     const std::vector<Thread>& down = families_[1].threads;
     double most = 0;
@@ -98,6 +97,7 @@ double Sheet::most_aligned() {
 }
 
 std::uint32_t Sheet::plan(double seconds, std::uint32_t most) {
+    for (ThreadFamily& family : families_) family.measure(positions_m_);
     const double x2 = 1 / (cell_m_[0] * cell_m_[0]);
     const double y2 = 1 / (cell_m_[1] * cell_m_[1]);
     const double rho = def_.density_kgpm2;

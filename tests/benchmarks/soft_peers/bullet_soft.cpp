@@ -32,8 +32,6 @@ struct World {
     btDeformableBodySolver bodies;
     btDeformableMultiBodyConstraintSolver contacts;
     std::unique_ptr<btDeformableMultiBodyDynamicsWorld> world;
-    btBoxShape ground_shape{btVector3(20, 0.5F, 20)};
-    btRigidBody ground{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &ground_shape)};
 
     explicit World(btScalar gravity_mps2) {
         contacts.setDeformableSolver(&bodies);
@@ -45,11 +43,7 @@ struct World {
         world->getWorldInfo().m_sparsesdf.Initialize();
         world->setImplicit(false);  // its implicit mode left all points where they were (3.24)
         world->setLineSearch(false);
-        ground.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -0.5F, 0)));
-        ground.setFriction(1);
-        world->addRigidBody(&ground);
     }
-    ~World() { world->removeRigidBody(&ground); }
 };
 
 /// Owned by the caller.
@@ -75,11 +69,6 @@ btSoftBody* soft_body_of(const json& problem, btSoftBodyWorldInfo& info) {
         body->m_tetraScratches.resize(body->m_tetras.size());
         body->m_tetraScratchesTn.resize(body->m_tetras.size());
     }
-    body->getCollisionShape()->setMargin(problem["margin_m"].get<btScalar>());
-    body->m_cfg.kKHR = 1;
-    body->m_cfg.kCHR = 1;
-    body->m_cfg.kDF = problem["friction"].get<btScalar>();
-    body->m_cfg.collisions = btSoftBody::fCollision::SDF_RD;
     body->m_sleepingThreshold = 0;
     return body;
 }

@@ -25,11 +25,6 @@ position_m = [4, 3, 6]
 target_m = [0, 1, 0]
 [world]
 gravity_mps2 = [0, -9.81, 0]
-[[entity]]
-name = "ground"
-primitive = { box = [40, 1, 40] }
-position_m = [0, -0.5, 0]
-body = { kind = "static" }
 """
 
 
@@ -61,13 +56,13 @@ pins = [{{ min_m = [-1, {top_m - 0.01}, -1], max_m = [1, {top_m + 0.01}, 1] }}]
 """
 
 
-def ours(build, folder, scene, kind, fidelity, hz=60):
+def ours(build, folder, scene, kind, fidelity):
     file = folder / "scene.toml"
     file.write_text(scene + f"[effects.{kind}]\nfidelity = \"{fidelity}\"\n", encoding="utf-8")
 
     def state_after(seconds):
         out = folder / "state.json"
-        subprocess.run([build / "game/plumbline", "simulate", file, "--seconds", str(seconds), "--hz", str(hz), "--state", out],
+        subprocess.run([build / "game/plumbline", "simulate", file, "--seconds", str(seconds), "--state", out],
                        check=True, capture_output=True)
         return json.loads(out.read_text(encoding="utf-8"))
 
@@ -139,8 +134,8 @@ def volume_of(points, corners):
 
 def other(command, folder, problem, hz, iterations=5):
     file = folder / "problem.json"
-    rest = {"hz": hz, "iterations": iterations, "seconds": SECONDS, "timed_s": TIMED_S, "gravity_mps2": GRAVITY_MPS2, "friction": 0.5,
-            "margin_m": 0.005, "damping_s": 0.01, "young_Pa": BLOCK["young_Pa"], "poisson": BLOCK["poisson"]}
+    rest = {"hz": hz, "iterations": iterations, "seconds": SECONDS, "timed_s": TIMED_S, "gravity_mps2": GRAVITY_MPS2,
+            "damping_s": 0.01, "young_Pa": BLOCK["young_Pa"], "poisson": BLOCK["poisson"]}
     file.write_text(json.dumps(problem | rest), encoding="utf-8")
     done = subprocess.run([*command, file], capture_output=True, text=True, timeout=600)
     if done.returncode != 0:

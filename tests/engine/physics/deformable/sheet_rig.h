@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/sheet.h"
+#include "tests/engine/physics/deformable/point_rig.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,20 +10,6 @@
 namespace plumbline::physics {
 
 inline constexpr Vec3d kDown_mps2{0, -9.81, 0};
-inline constexpr double kSheetStep_s = 1.0 / 60;
-
-inline void run_sheet(Sheet& sheet,
-                      int steps,
-                      const Vec3d& gravity_mps2,
-                      std::uint32_t most = 1000) {
-    for (int i = 0; i < steps; ++i) {
-        const std::uint32_t count = sheet.plan(kSheetStep_s, most);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            sheet.accelerate(gravity_mps2);
-            sheet.move(sheet.substep_s());
-        }
-    }
-}
 
 inline SheetDef strip(std::uint32_t cells, double stretch_Npm) {
     return {.size_m = {0.2, 1},

@@ -17,7 +17,7 @@ TEST_P(SheetStretch, ByItsOwnWeightIsThatOfARod) {
     const auto [cells, stretch_Npm] = GetParam();
     Sheet sheet(strip(cells, stretch_Npm));
     pin_top(sheet);
-    run_sheet(sheet, 240, kDown_mps2);
+    run_points(sheet, 240, kDown_mps2);
     const double lower_m = -0.5 - sheet.positions_m().back().y;
     EXPECT_NEAR(lower_m / (0.2 * 9.81 / (2 * stretch_Npm)), 1, 1e-4);
     Vec3d held{0, 0, 0};
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Sheets,
 
 TEST(Sheet, FallsFreely) {
     Sheet sheet(strip(10, 500));
-    run_sheet(sheet, 60, kDown_mps2);
+    run_points(sheet, 60, kDown_mps2);
     for (const Vec3d& v : sheet.velocities_mps()) EXPECT_NEAR(v.y, -9.81, 1e-9);
 }
 
@@ -40,14 +40,14 @@ TEST(Sheet, FallsFreely) {
 TEST(Sheet, WhereSubStepsAreFewItIsSofter) {
     Sheet sheet(strip(20, 1e6));
     pin_top(sheet);
-    EXPECT_EQ(sheet.plan(kSheetStep_s, 10), 10U);
+    EXPECT_EQ(sheet.plan(kPointStep_s, 10), 10U);
     EXPECT_LT(sheet.stiffness_share(), 0.01);
-    run_sheet(sheet, 240, kDown_mps2, 10);
+    run_points(sheet, 240, kDown_mps2, 10);
     const double stretch_Npm = 1e6 * sheet.stiffness_share();
     const double lower_m = -0.5 - sheet.positions_m().back().y;
     EXPECT_GT(lower_m, 0.3 * 0.2 * 9.81 / (2 * stretch_Npm));
     EXPECT_LT(lower_m, 3 * 0.2 * 9.81 / (2 * stretch_Npm));
-    sheet.plan(kSheetStep_s, 1'000'000);
+    sheet.plan(kPointStep_s, 1'000'000);
     EXPECT_EQ(sheet.stiffness_share(), 1);
 }
 
@@ -59,7 +59,7 @@ TEST(Sheet, WhereSubStepsAreFewAStifferOneHangsAsASofterOne) {
         for (const double stretch_Npm : {1e4, 1e5, 1e7}) {
             Sheet sheet(strip(20, stretch_Npm));
             pin_top(sheet);
-            run_sheet(sheet, 240, {0, -load_mps2, 0}, 10);
+            run_points(sheet, 240, {0, -load_mps2, 0}, 10);
             lower_m.push_back(-0.5 - sheet.positions_m().back().y);
         }
         EXPECT_NEAR(lower_m[1] / lower_m[0], 1, 0.01) << load_mps2;
@@ -74,7 +74,7 @@ TEST(Sheet, TearsWhereItCarriesTooMuch) {
         Sheet sheet(def);
         pin_top(sheet);
         // Lowered slowly.
-        for (int i = 0; i < 240; ++i) run_sheet(sheet, 1, kDown_mps2 * std::min(1.0, i / 120.0));
+        for (int i = 0; i < 240; ++i) run_points(sheet, 1, kDown_mps2 * std::min(1.0, i / 120.0));
         EXPECT_EQ(sheet.torn() > 0, strength < 1) << strength;
         EXPECT_EQ(sheet.is_whole(0, 0), strength > 1);
     }

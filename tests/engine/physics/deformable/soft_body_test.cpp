@@ -1,5 +1,6 @@
 // A soft body by itself: closed forms, what is kept, and that it comes back from flat and inside out.
 #include "engine/physics/soft_grid.h"
+#include "tests/engine/physics/deformable/point_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -7,23 +8,6 @@
 
 namespace plumbline::physics {
 namespace {
-
-constexpr double kSoftStep_s = 1.0 / 60;
-
-void run_soft(SoftBody& soft,
-              int steps,
-              const Vec3d& gravity_mps2,
-              double kept = 1,
-              std::uint32_t most = 500) {
-    for (int i = 0; i < steps; ++i) {
-        const std::uint32_t count = soft.plan(kSoftStep_s, most);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            soft.accelerate(gravity_mps2);
-            soft.move(soft.substep_s());
-        }
-        slow_down(soft, kept);
-    }
-}
 
 SoftBodyDef bar(std::uint32_t across, double poisson) {
     return {.grid = box_grid({1, 0.1, 0.1}, {10 * across, across, across}),
@@ -51,7 +35,7 @@ Vec3d right_m(const SoftBody& soft) {
 TEST(SoftBody, ABarStretchesByItsWeight) {
     SoftBody soft(bar(1, 0));
     hold_left(soft);
-    run_soft(soft, 240, {9.81, 0, 0}, 0.8);
+    run_points(soft, 240, {9.81, 0, 0}, 500, 0.8);
     EXPECT_NEAR(right_m(soft).x / (1000 * 9.81 / (2 * 1e6)), 1, 1e-3);
 }
 
@@ -61,7 +45,7 @@ TEST(SoftBody, AClampedBarSagsAsABeam) {
         for (const double poisson : {0.0, 0.4}) {
             SoftBody soft(bar(across, poisson));
             hold_left(soft);
-            run_soft(soft, 500, {0, -0.1, 0}, 0.95);
+            run_points(soft, 500, {0, -0.1, 0}, 500, 0.95);
             const double exact_m = 1000 * 0.01 * 0.1 / (8 * 1e6 * 1e-4 / 12);
             EXPECT_NEAR(-right_m(soft).y / exact_m, 1, poisson > 0 ? 0.05 : 0.02)
                 << across << ' ' << poisson;
@@ -76,7 +60,7 @@ TEST(SoftBody, FlyingItKeepsMomentum) {
     const Vec3d momentum = soft.totals().momentum_kgmps;
     const Vec3d turning = soft.totals().angular_momentum_kgm2ps;
     const double start_J = soft.totals().kinetic_J;
-    run_soft(soft, 120, {0, 0, 0});
+    run_points(soft, 120, {0, 0, 0}, 500);
     EXPECT_NEAR(
         glm::distance(soft.totals().momentum_kgmps, momentum), 0, 1e-9 * glm::length(momentum));
     EXPECT_NEAR(glm::distance(soft.totals().angular_momentum_kgm2ps, turning),
@@ -89,13 +73,9 @@ TEST(SoftBody, FlyingItKeepsMomentum) {
 TEST(SoftBody, ComesBackFromFlatAndInsideOut) {
     for (const double squeezed : {1.0, 2.0}) {
         SoftBody soft({.grid = box_grid({1, 1, 1}, {3, 3, 3})});
-        soft.plan(1e-6, 1);
-        for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
-            soft.change_velocity(i, {0, -squeezed * soft.positions_m()[i].y / 1e-6, 0});
-        soft.move(soft.substep_s());
-        slow_down(soft, 0);
+        displace_points(soft, [&](const Vec3d& at) { return Vec3d{0, -squeezed * at.y, 0}; });
         EXPECT_NEAR(soft.volume_m3(), 1 - squeezed, 1e-9);
-        run_soft(soft, 600, {0, 0, 0}, 0.95);
+        run_points(soft, 600, {0, 0, 0}, 500, 0.95);
         // Turned inside out, a corner may keep a dent.
         EXPECT_NEAR(soft.volume_m3(), 1, squeezed > 1 ? 0.05 : 0.01) << squeezed;
         if (squeezed == 1) {
@@ -108,11 +88,11 @@ TEST(SoftBody, WhereSubStepsAreFewItIsSofter) {
     SoftBodyDef def = bar(1, 0.3);
     def.young_Pa = 1e11;
     SoftBody soft(def);
-    EXPECT_EQ(soft.plan(kSoftStep_s, 5), 5U);
+    EXPECT_EQ(soft.plan(kPointStep_s, 5), 5U);
     EXPECT_LT(soft.stiffness_share(), 1e-3);
     hold_left(soft);
     for (int i = 0; i < 60; ++i) {
-        const std::uint32_t count = soft.plan(kSoftStep_s, 5);
+        const std::uint32_t count = soft.plan(kPointStep_s, 5);
         for (std::uint32_t k = 0; k < count; ++k) {
             soft.accelerate({0, -9.81, 0});
             soft.move(soft.substep_s());
@@ -128,17 +108,14 @@ TEST(SoftBody, RingsDownAsItsDampingSays) {
         def.damping_s = 2e-3;
         SoftBody soft(def);
         hold_left(soft);
-        const double wave_pm = 3.14159265 / 2;
-        soft.plan(1e-6, 1);
-        for (std::size_t i = 0; i < soft.positions_m().size(); ++i)
-            soft.change_velocity(
-                i, {0.02 / 1e-6 * std::sin(wave_pm * (soft.positions_m()[i].x + 0.5)), 0, 0});
-        soft.move(soft.substep_s());
-        slow_down(soft, 0);
+        constexpr double wave_pm = 3.14159265 / 2;
+        displace_points(soft, [](const Vec3d& at) {
+            return Vec3d{0.02 * std::sin(wave_pm * (at.x + 0.5)), 0, 0};
+        });
         const auto energy_J = [&soft] { return soft.totals().kinetic_J + soft.totals().elastic_J; };
-        soft.plan(kSoftStep_s, most);  // as stiff as the sub-steps bear
+        soft.plan(kPointStep_s, most);  // as stiff as the sub-steps bear
         const double start_J = energy_J();
-        run_soft(soft, 12, {0, 0, 0}, 1, most);
+        run_points(soft, 12, {0, 0, 0}, most);
         const double w2 = wave_pm * wave_pm * 1e6 / 1000;
         EXPECT_NEAR(std::log(energy_J() / start_J) / (-w2 * def.damping_s * 0.2), 1, 0.1) << most;
     }
@@ -146,7 +123,7 @@ TEST(SoftBody, RingsDownAsItsDampingSays) {
 
 TEST(SoftBody, WhereSubStepsAreFewItStillCarriesItself) {
     SoftBody soft({.grid = box_grid({1, 1, 1}, {12, 12, 12}), .young_Pa = 1e5, .poisson = 0.3});
-    EXPECT_GT(soft.plan(kSoftStep_s, 1), 1U);
+    EXPECT_GT(soft.plan(kPointStep_s, 1), 1U);
     EXPECT_GT(soft.stiffness_share(), 1000 * 9.81 / (0.25 * 1e5) - 1e-3);
 }
 
