@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::scene {
 namespace {
@@ -48,19 +49,29 @@ WaveField::WaveField(const WaterDescription& water, int modes, double gravity_mp
 }
 
 void WaveField::advance(double seconds) {
-    for (Mode& mode : modes_) {
+    if (seconds != turned_s_) find_turns(seconds);
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+        Mode& mode = modes_[i];
         if (mode.height_m == 0 && mode.speed_mps == 0) continue;
         if (mode.omega_radps == 0) continue;
-        const double angle = mode.omega_radps * seconds;
-        const double kept = portable_exp(-2 * kViscosity_m2ps * mode.k_pm * mode.k_pm * seconds);
-        const double cosine = kept * portable_cos(angle);
-        const double sine = kept * portable_sin(angle);
+        const auto [cosine, sine] = turns_[i];
         const double height = mode.height_m * cosine + mode.speed_mps / mode.omega_radps * sine;
         mode.speed_mps = mode.speed_mps * cosine - mode.height_m * mode.omega_radps * sine;
         mode.height_m = height;
     }
     fall_asleep(seconds);
     remember();
+}
+
+void WaveField::find_turns(double seconds) {
+    turned_s_ = seconds;
+    turns_.clear();
+    for (const Mode& mode : modes_) {
+        const double angle = mode.omega_radps * seconds;
+        const double kept = portable_exp(-2 * kViscosity_m2ps * mode.k_pm * mode.k_pm * seconds);
+        turns_.push_back(
+            {.cosine = kept * portable_cos(angle), .sine = kept * portable_sin(angle)});
+    }
 }
 
 void WaveField::remember() {
@@ -83,12 +94,14 @@ void WaveField::fall_asleep(double seconds) {
 void WaveField::displace(const Vec3d& place, double radius_m, double volume_m3) {
     const double rise_m = volume_m3 / (size_m_.x * size_m_.z);
     if (std::abs(rise_m) < kNothing_m) return;
+    const double mean_m = modes_.front().height_m;
     const Shapes shapes = shapes_at(place.x, place.z, radius_m);
-    for (std::size_t i = 1; i < modes_.size(); ++i) {
-        const std::size_t m = i / count_;
-        const std::size_t n = i % count_;
-        modes_[i].height_m += rise_m * shapes.along_x[m] * shapes.along_z[n] / norm(m, n);
+    for (std::size_t m = 0; m < count_; ++m) {
+        const double row_m = rise_m * shapes.along_x[m] / norm(m);
+        for (std::size_t n = 0; n < count_; ++n)
+            modes_[m * count_ + n].height_m += row_m * shapes.along_z[n] / norm(n);
     }
+    modes_.front().height_m = mean_m;
     quiet_s_ = 0;
 }
 
@@ -98,12 +111,22 @@ void WaveField::raise_level(double volume_m3) {
 
 WaveField::Shapes WaveField::shapes_at(
     double x, double z, double radius_m, bool slope_x, bool slope_z) const {
+    // Mode m has m times the first one's angle, and of what is felt its m2-th power: both by multiplication.
     const auto fill = [&](double at, double length, bool slope, std::vector<double>& shapes) {
         shapes.resize(count_);
+        const double k = kHalfTurn_rad / length;
+        const double cosine_of_1 = portable_cos(k * at);
+        const double sine_of_1 = portable_sin(k * at);
+        const double felt_of_1 = portable_exp(-0.5 * k * k * radius_m * radius_m);
+        double cosine = 1;
+        double sine = 0;
+        double felt = 1;
+        double next = felt_of_1;
         for (std::size_t m = 0; m < count_; ++m) {
-            const double k = kHalfTurn_rad * static_cast<double>(m) / length;
-            const double felt = portable_exp(-0.5 * k * k * radius_m * radius_m);
-            shapes[m] = felt * (slope ? -k * portable_sin(k * at) : portable_cos(k * at));
+            shapes[m] = felt * (slope ? -k * static_cast<double>(m) * sine : cosine);
+            felt *= std::exchange(next, next * felt_of_1 * felt_of_1);
+            const double before = std::exchange(cosine, cosine * cosine_of_1 - sine * sine_of_1);
+            sine = sine * cosine_of_1 + before * sine_of_1;
         }
     };
     Shapes shapes;
@@ -123,8 +146,8 @@ double WaveField::sum(const Shapes& shapes) const {
     return sum;
 }
 
-double WaveField::norm(std::size_t m, std::size_t n) const {
-    return (m == 0 ? 1 : 0.5) * (n == 0 ? 1 : 0.5);
+double WaveField::norm(std::size_t m) {
+    return m == 0 ? 1 : 0.5;
 }
 
 double WaveField::height_m(double x, double z, double radius_m) const {
@@ -133,11 +156,13 @@ double WaveField::height_m(double x, double z, double radius_m) const {
 
 double WaveField::response_pm2(double x, double z, double radius_m) const {
     const Shapes shapes = shapes_at(x, z, radius_m);
-    double sum = 0;
-    for (std::size_t i = 1; i < modes_.size(); ++i) {
-        const double shape = shapes.along_x[i / count_] * shapes.along_z[i % count_];
-        sum += shape * shape / norm(i / count_, i % count_);
-    }
+    const auto squares = [](const std::vector<double>& along) {
+        double sum = 0;
+        for (std::size_t m = 0; m < along.size(); ++m) sum += along[m] * along[m] / norm(m);
+        return sum;
+    };
+    // Of all modes but the first, which is 1 everywhere.
+    const double sum = squares(shapes.along_x) * squares(shapes.along_z) - 1;
     return sum / (size_m_.x * size_m_.z);
 }
 
@@ -154,7 +179,7 @@ double WaveField::energy_J() const {
         const double swing_m2 =
             mode.height_m * mode.height_m +
             mode.speed_mps * mode.speed_mps / (mode.omega_radps * mode.omega_radps);
-        sum += norm(i / count_, i % count_) * swing_m2;
+        sum += norm(i / count_) * norm(i % count_) * swing_m2;
     }
     return 0.5 * density_kgpm3_ * gravity_mps2_ * size_m_.x * size_m_.z * sum;
 }
@@ -178,12 +203,13 @@ WaveField::Range WaveField::range() const {
 }
 
 void WaveField::sample(std::size_t side, double blend, std::span<double> heights_m) const {
-    std::vector<double> shapes(side *
-                               count_);  // cos(m pi i / (side - 1)), the same along both sides
+    const std::size_t half = side - 1;
+    std::vector<double> turn(2 * half);
+    for (std::size_t i = 0; i < turn.size(); ++i)
+        turn[i] = portable_cos(kHalfTurn_rad * static_cast<double>(i) / static_cast<double>(half));
+    std::vector<double> shapes(side * count_);  // cos(m pi i / half), the same along both sides
     for (std::size_t i = 0; i < side; ++i) {
-        for (std::size_t m = 0; m < count_; ++m)
-            shapes[i * count_ + m] = portable_cos(kHalfTurn_rad * static_cast<double>(m * i) /
-                                                  static_cast<double>(side - 1));
+        for (std::size_t m = 0; m < count_; ++m) shapes[i * count_ + m] = turn[m * i % turn.size()];
     }
     std::vector<double> along_z(side * count_, 0);  // summed over n: by row, then m
     for (std::size_t m = 0; m < count_; ++m) {

@@ -69,6 +69,11 @@ private:
         double k_pm{0};
         double omega_radps{0};
     };
+    /// What `turned_s_` makes of a mode, with what is kept of it.
+    struct Turn {
+        double cosine;
+        double sine;
+    };
     /// cos(m pi x / L) for all m, less what a body of that radius does not feel.
     struct Shapes {
         std::vector<double> along_x;
@@ -77,8 +82,9 @@ private:
     Shapes shapes_at(
         double x, double z, double radius_m, bool slope_x = false, bool slope_z = false) const;
     double sum(const Shapes& shapes) const;
-    /// The mean square of a mode's shape over the basin.
-    double norm(std::size_t m, std::size_t n) const;
+    /// The mean square of cos(m pi x / L) from wall to wall.
+    static double norm(std::size_t m);
+    void find_turns(double seconds);
     void fall_asleep(double seconds);
     void remember();
 
@@ -88,6 +94,8 @@ private:
     double gravity_mps2_;
     std::size_t count_;        ///< modes along each side
     std::vector<Mode> modes_;  ///< m * count_ + n; the first is the mean level
+    std::vector<Turn> turns_;  ///< of `modes_`; empty until the first step
+    double turned_s_{0};
     double quiet_s_{0};
     std::array<std::vector<double>, 2>
         drawn_m_;  ///< of the modes, after the latest two steps; not saved

@@ -13,6 +13,7 @@ namespace plumbline::study {
 namespace {
 
 constexpr double kCalibration_s = 9.0;
+constexpr double kCalibrationMost_s = 40.0;
 /// A study of less of the scene may not have seen the first thing land.
 constexpr double kSecondsLeast = 1.0;
 
@@ -38,12 +39,14 @@ bool agrees(const Setting& setting, const scene::Accuracy& asked) {
 Result<SceneStudy> calibrate(const scene::SceneDescription& description) {
     log_note(
         "{}: preset \"auto\" looks for the cheapest setting that serves; this takes some {:.0f} s "
-        "once",
+        "once, up to {:.0f} s where there is much to simulate",
         description.file.filename().string(),
-        kCalibration_s);
+        kCalibration_s,
+        kCalibrationMost_s);
     return study_scene({.scene = description.file,
                         .grid = GridSize::Quick,
                         .wall_s = kCalibration_s,
+                        .least_seconds = kSecondsLeast,
                         .workers = {.count = default_workers()}});
 }
 

@@ -2,6 +2,7 @@
 #include "engine/study/findings/findings_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -13,7 +14,15 @@ constexpr std::string_view kCsvHeading =
     "why,"
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
     "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes,"
-    "clock_ms_per_s\n";
+    "clock_ms_per_s,effects\n";
+
+/// "cloth draft, buoyancy precise": those that do not run at the scene's own.
+std::string fidelities_of(const Setting& setting) {
+    std::vector<std::string> words;
+    for (const scene::EffectFidelity& each : setting.fidelity)
+        words.push_back(fmt::format("{} {}", each.effect, word_of(each.fidelity)));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
 
 std::string line_of(const Subject& subject,
                     const Metric& metric,
@@ -36,7 +45,7 @@ std::string line_of(const Subject& subject,
                                         word_of(point.status),
                                         csv_field(point.why));
     const std::string found = std::isfinite(error) ? fmt::format("{}", error) : std::string();
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        what,
                        how,
                        found,
@@ -52,7 +61,8 @@ std::string line_of(const Subject& subject,
                        cost.frame_ms_max,
                        cost.bodies,
                        cost.peak_bytes,
-                       cost.clock_ms_per_s);
+                       cost.clock_ms_per_s,
+                       csv_field(fidelities_of(setting)));
 }
 
 }  // namespace

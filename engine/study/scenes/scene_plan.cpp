@@ -43,6 +43,11 @@ double ScenePlan::cpu_left_s(double share_of_wall) const {
     return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_.count * share_of_core();
 }
 
+void ScenePlan::extend_for(double cpu_s, double most) {
+    const double longer = std::clamp(cpu_s / std::max(cpu_left_s(), 1e-9), 1.0, most);
+    if (longer > 1) extend(spent_s() + longer * left_s());
+}
+
 void ScenePlan::expect(double cpu_s) {
     const double left_cpu_s = std::max(cpu_left_s(), 1e-9);
     expected_s_ = spent_s() + left_s() * std::min(1.0, cpu_s / left_cpu_s);

@@ -30,6 +30,8 @@ public:
     /// they go on to get as much of their cores as so far.
     double cpu_left_s(double share_of_wall = 1.0) const;
     void extend(double wall_s) { wall_s_ = expected_s_ = wall_s; }
+    /// Until so much CPU time is left, but not for more than `most` times the wall time left so far.
+    void extend_for(double cpu_s, double most);
     /// The rest of the study will probably take so much CPU time: what the progress tells.
     void expect(double cpu_s);
     bool interrupted() const { return interrupted_; }

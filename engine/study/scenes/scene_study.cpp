@@ -32,6 +32,8 @@ constexpr std::size_t kFidelitiesOf = 4;
 /// Of the time that is left, what is spent before others follow; and how much longer it all may take then.
 constexpr double kShare = 0.5;
 constexpr double kWithFidelities = 1.5;
+/// How much longer it may take for the least of the scene that was asked for.
+constexpr double kLonger = 3;
 /// CPU time that another engine's run may take: at least, and times what ours took.
 constexpr double kEngineLeast_s = 10;
 constexpr double kEngineFactor = 30;
@@ -99,10 +101,10 @@ private:
     }
 
     /// How much of the scene's time the plan has time for.
-    int affordable_samples(double second_cpu_s, int wanted) const {
-        const double affordable_s =
-            plan_.cpu_left_s(kReserve) /
-            std::max(1e-9, second_cpu_s * guessed_cost_of_study(options_.grid));
+    int affordable_samples(double second_cpu_s, int wanted) {
+        const double cpu_s = second_cpu_s * guessed_cost_of_study(options_.grid);
+        plan_.extend_for((options_.least_seconds + kSampleEvery_s) * cpu_s / kReserve, kLonger);
+        const double affordable_s = kReserve * plan_.cpu_left_s() / std::max(1e-9, cpu_s);
         const int samples = static_cast<int>(std::min(1e6, affordable_s / kSampleEvery_s));
         return std::clamp(samples, std::min(kLeastSamples, wanted), wanted);
     }
@@ -248,13 +250,13 @@ private:
         for (const Setting& setting : grid)
             (setting.step_hz == kFirst_hz ? first : rest).push_back(setting);
         expect(grid);
-        if (const Result<Done> done = measure(fitting(first)); !done) return done;
-        if (const Result<Done> done = measure(fitting(other_fidelities(), kShare)); !done)
-            return done;
+        Result<Done> done = measure(fitting(first));
+        if (done) done = measure(fitting(other_fidelities(), kShare));
+        if (!done) return done;
         rest = fitting(rest, probe_.effects.empty() ? 1.0 : kShare);
         expect(rest);
-        if (const Result<Done> done = measure(rest); !done) return done;
-        return measure(fitting(other_fidelities()));
+        done = measure(rest);
+        return done ? measure(fitting(other_fidelities())) : done;
     }
 
     /// Some settings that no other beats, evenly along their front.

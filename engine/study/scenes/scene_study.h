@@ -28,6 +28,8 @@ struct SceneStudyOptions {
     std::optional<double> seconds{};    ///< simulated; none: 3, fewer where that takes too long
     GridSize grid{GridSize::Full};
     std::optional<double> wall_s{};  ///< to be done within; none: 50, more for many bodies
+    /// Simulated: where `wall_s` is too short for it, the study takes up to three times as long.
+    double least_seconds{0};
     Workers workers{};
     std::vector<const EngineRow*> engines{};  ///< after the grid, and beyond `wall_s`
     std::vector<int>

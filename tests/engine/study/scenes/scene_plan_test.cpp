@@ -29,6 +29,16 @@ TEST(ScenePlan, NothingToRunIsDoneAtOnceAndExtendingGivesTime) {
     EXPECT_NEAR(plan.left_s(), 50, 0.5);
 }
 
+TEST(ScenePlan, IsExtendedForAsMuchAsIsNeededUpToAMost) {
+    ScenePlan plan(10, {.count = 2}, {});
+    plan.extend_for(15, 3);
+    EXPECT_NEAR(plan.left_s(), 10, 0.5) << "there are 20 s of CPU time";
+    plan.extend_for(40, 3);
+    EXPECT_NEAR(plan.cpu_left_s(), 40, 1);
+    plan.extend_for(1000, 3);
+    EXPECT_NEAR(plan.left_s(), 60, 0.5);
+}
+
 // The programs are not beside the tests: refused, after it was said that nothing is done.
 TEST(ScenePlan, SaysWhichProgramIsMissing) {
     std::vector<StudyProgress> said;
