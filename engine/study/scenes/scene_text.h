@@ -20,7 +20,8 @@ struct Wish {
     std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s
 };
 /// The setting to use. A tolerance is tightened by what the errors are uncertain by, to half of it at
-/// most. Only settings in the program's own precision. None: no setting has an error.
+/// most; of a budget a tenth is kept for what costs vary by. Where nothing is within that, what is
+/// within the wish itself. Only settings in the program's own precision. None: no setting has an error.
 std::optional<Choice> choose(const SceneStudy& study, const Wish& wish);
 
 /// Lines to paste under [accuracy]. Comments above them say what error they reach, or that no setting

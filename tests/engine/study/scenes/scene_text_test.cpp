@@ -58,10 +58,19 @@ TEST(SceneText, ATolerancesUncertaintyTightensItToHalfAtMost) {
     study.subject.uncertainty = 0.0008;
     EXPECT_TRUE(choose(study, {.tolerance = 0.001})->met) << "within what was asked for";
     EXPECT_FALSE(choose(study, {.tolerance = 1e-5})->met);
-    EXPECT_EQ(choose(study, {.budget_ms = 0.2})->point, 1U);
-    EXPECT_FALSE(choose(study, {.budget_ms = 0.005})->met);
     study.subject.points.resize(0);
     EXPECT_FALSE(choose(study, {}));
+}
+
+TEST(SceneText, ATenthOfABudgetIsKeptForWhatCostsVaryBy) {
+    const SceneStudy study = told_study();
+    EXPECT_EQ(choose(study, {.budget_ms = 0.2})->point, 1U);
+    const double cost_ms = ms_per_frame(study.subject.points[2]);
+    EXPECT_EQ(choose(study, {.budget_ms = 1.05 * cost_ms})->point, 1U);
+    EXPECT_EQ(choose(study, {.budget_ms = 1.15 * cost_ms})->point, 2U);
+    const double least_ms = ms_per_frame(study.subject.points[0]);
+    EXPECT_TRUE(choose(study, {.budget_ms = 1.05 * least_ms})->met) << "nothing is cheaper";
+    EXPECT_FALSE(choose(study, {.budget_ms = 0.005})->met);
 }
 
 TEST(SceneText, WishesAreLinesToPasteWithWhatTheyReach) {
