@@ -77,7 +77,15 @@ private:
     std::array<std::size_t, 4> corners_of(std::size_t top) const {
         return {top, top + 1, top + columns_, top + columns_ + 1};
     }
-    void damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2);
+    /// A whole cell whose shear is damped, at its corners' places of now.
+    struct ShearedCell {
+        std::size_t top;
+        Vec3d e;  ///< diagonals, over twice the area
+        Vec3d f;
+        double weight;
+    };
+    void find_sheared(double stiff_kgm2);
+    void damp_shear(const ShearedCell& cell);
     void push_at_once(std::size_t point, const Vec3d& impulse_Ns) {
         velocities_mps_[point] += impulse_Ns * inverse_masses_[point];
         if (!(inverse_masses_[point] > 0)) impulses_Ns_[point] += impulse_Ns;
@@ -95,6 +103,7 @@ private:
         weights_;  ///< of forces on points that tension pulls across too fast; empty: 1
     std::vector<double> across_radps2_;  ///< by point, of the latest plan
     std::vector<Vec3d> drags_Ns_;        // scratch, by cell
+    std::vector<ShearedCell> sheared_;   // scratch
     std::size_t torn_{0};
 };
 

@@ -33,22 +33,34 @@ public:
     /// By point the normal along which it does not yield, or zero. After measure(), which undoes it.
     void brace(std::span<const Vec3d> normals);
 
-    /// Velocities become (1 + W K scale)^-1 times what they are, K the stiffness of the threads: by the tensions of each line, a
-    /// tridiagonal system. What threads pull at points that do not yield is added to `held_Ns`.
-    void relax(double scale_s2,
-               std::span<const double> inverse_masses,
+    /// Of 1 + W K scale, K the stiffness of the threads as they are measured and braced: for the tensions of each line a
+    /// tridiagonal system.
+    void factor(double scale_s2, std::span<const double> inverse_masses);
+    /// Velocities become the inverse of what was factored times what they are. What threads pull at points that do not yield is
+    /// added to `held_Ns`.
+    void relax(std::span<const double> inverse_masses,
                std::span<Vec3d> velocities_mps,
                std::span<Vec3d> held_Ns);
 
 private:
+    /// Of a thread's row.
+    struct Factors {
+        double stiff_kg{0};
+        double lower{0};
+        double upper{0};
+        double inverse{0};  ///< of the diagonal
+    };
     template <std::size_t kLines>
-    void find_pulls(std::size_t first,
-                    double scale_s2,
-                    std::span<const double> inverse_masses,
-                    std::span<const Vec3d> velocities_mps);
+    void factor_lines(std::size_t first, double scale_s2, std::span<const double> inverse_masses);
+    template <std::size_t kLines>
+    void find_pulls(std::size_t first, std::span<const Vec3d> velocities_mps);
+    /// Calls `visit` for lines side by side, so that each waits for its own divisions.
+    template <class F>
+    void for_lines(const F& visit) const;
 
-    std::vector<double> upper_;  // scratch, by thread
-    std::vector<double> pulls_Ns_;
+    bool is_braced_{false};
+    std::vector<Factors> factors_;  // by thread
+    std::vector<double> pulls_Ns_;  // scratch, by thread
 };
 
 /// A point at which a line is clamped, with one neighbour, bends over half of a cell only: twice as stiffly. By the inverse masses.

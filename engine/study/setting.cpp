@@ -29,8 +29,14 @@ std::string setting_text(const Setting& setting) {
     if (setting.solver != Solver::SmallStep || setting.iterations != 1)
         text += fmt::format(", {} it", setting.iterations);
     text += fmt::format(", {}", word_of(setting.precision));
+    return setting.fidelity.empty() ? text : text + ", " + fidelity_text(setting);
+}
+
+std::string fidelity_text(const Setting& setting) {
+    std::string text;
     for (const scene::EffectFidelity& each : setting.fidelity)
-        text += fmt::format(", {} {}", each.effect, word_of(each.fidelity));
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : ", ", each.effect, word_of(each.fidelity));
     return text;
 }
 

@@ -36,6 +36,8 @@ struct Setting {
 
 /// "small_step 60 Hz x 4, float32, cloth draft"; sub-steps on demand: "x 2-16"; bullet_*: "60 Hz x 1, 10 it".
 std::string setting_text(const Setting& setting);
+/// "cloth draft, buoyancy precise": of its effects.
+std::string fidelity_text(const Setting& setting);
 /// The keys to paste under [accuracy], one a line.
 std::string accuracy_lines(const Setting& setting);
 /// The setting as a WorldDef, for scenarios, which build their own world. Gravity and everything else

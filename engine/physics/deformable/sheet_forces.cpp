@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace plumbline::physics {
 namespace {
@@ -144,37 +145,49 @@ void Sheet::damp() {
         if (bend_lag_s_ > 0) return;
         strips_[axis].relax(half_s2 * bend_share_, inverse_masses_, velocities_mps_);
     };
+    for (ThreadFamily& family : families_)
+        family.factor(half_s2 * stiffness_share_, inverse_masses_);
     const auto stretch = [&](std::size_t axis) {
-        families_[axis].relax(
-            half_s2 * stiffness_share_, inverse_masses_, velocities_mps_, impulses_Ns_);
+        families_[axis].relax(inverse_masses_, velocities_mps_, impulses_Ns_);
     };
     for (const std::size_t axis : {0U, 1U}) bend(axis);
     for (const std::size_t axis : {0U, 1U}) stretch(axis);
-    const std::uint32_t across = columns_ - 1;
-    const std::uint32_t cells = across * (rows_ - 1);
-    for (std::uint32_t i = 0; i < cells; ++i) damp_shear(i % across, i / across, shear_kgm2);
-    for (std::uint32_t i = cells; i-- > 0;) damp_shear(i % across, i / across, shear_kgm2);
+    find_sheared(shear_kgm2);
+    for (const ShearedCell& cell : sheared_) damp_shear(cell);
+    for (const ShearedCell& cell : std::views::reverse(sheared_)) damp_shear(cell);
     for (const std::size_t axis : {1U, 0U}) stretch(axis);
     for (const std::size_t axis : {1U, 0U}) bend(axis);
 }
 
-void Sheet::damp_shear(std::uint32_t column, std::uint32_t row, double stiff_kgm2) {
-    if (torn_ > 0 && !is_whole(column, row)) return;
+void Sheet::find_sheared(double stiff_kgm2) {
+    sheared_.clear();
     const double inverse_m2 = 1 / (2 * cell_m_[0] * cell_m_[1]);
-    const std::size_t top = at(column, row);
+    for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns_; ++column) {
+            if (torn_ > 0 && !is_whole(column, row)) continue;
+            const std::size_t top = at(column, row);
+            const std::size_t below = top + columns_;
+            const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
+            const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
+            const double weight =
+                1 / stiff_kgm2 +
+                (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
+                (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
+            sheared_.push_back({.top = top, .e = e, .f = f, .weight = weight});
+        }
+    }
+}
+
+void Sheet::damp_shear(const ShearedCell& cell) {
+    const std::size_t top = cell.top;
     const std::size_t below = top + columns_;
-    const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
-    const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
-    const double opening = glm::dot(e, velocities_mps_[below + 1] - velocities_mps_[top]) -
-                           glm::dot(f, velocities_mps_[below] - velocities_mps_[top + 1]);
-    const double weight = 1 / stiff_kgm2 +
-                          (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
-                          (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
-    const double pull = -opening / weight;
-    push_at_once(top, e * -pull);
-    push_at_once(below + 1, e * pull);
-    push_at_once(below, f * -pull);
-    push_at_once(top + 1, f * pull);
+    const double opening = glm::dot(cell.e, velocities_mps_[below + 1] - velocities_mps_[top]) -
+                           glm::dot(cell.f, velocities_mps_[below] - velocities_mps_[top + 1]);
+    const double pull = -opening / cell.weight;
+    push_at_once(top, cell.e * -pull);
+    push_at_once(below + 1, cell.e * pull);
+    push_at_once(below, cell.f * -pull);
+    push_at_once(top + 1, cell.f * pull);
 }
 
 }  // namespace plumbline::physics

@@ -1,5 +1,7 @@
 #include "engine/physics/sheet_lines.h"
 
+#include <type_traits>
+
 namespace plumbline::physics {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr std::size_t kAtOnce = 4;
 }  // namespace
 
 void ThreadFamily::measure(std::span<const Vec3d> positions_m) {
+    is_braced_ = false;
     for (Thread& thread : threads) {
         const Vec3d along = positions_m[thread.b] - positions_m[thread.a];
         thread.length_m = glm::length(along);
@@ -22,73 +25,97 @@ void ThreadFamily::measure(std::span<const Vec3d> positions_m) {
 }
 
 void ThreadFamily::brace(std::span<const Vec3d> normals) {
+    is_braced_ = true;
     for (Thread& thread : threads) {
         thread.yields_a -= normals[thread.a] * glm::dot(normals[thread.a], thread.direction);
         thread.yields_b -= normals[thread.b] * glm::dot(normals[thread.b], thread.direction);
     }
 }
 
-void ThreadFamily::relax(double scale_s2,
-                         std::span<const double> inverse_masses,
-                         std::span<Vec3d> velocities_mps,
-                         std::span<Vec3d> held_Ns) {
-    upper_.resize(threads.size());
-    pulls_Ns_.resize(threads.size());
+template <class F>
+void ThreadFamily::for_lines(const F& visit) const {
     const std::size_t lines = threads.size() / per_line;
     std::size_t line = 0;
     for (; line + kAtOnce <= lines; line += kAtOnce)
-        find_pulls<kAtOnce>(line * per_line, scale_s2, inverse_masses, velocities_mps);
-    for (; line < lines; ++line)
-        find_pulls<1>(line * per_line, scale_s2, inverse_masses, velocities_mps);
-    for (std::size_t i = 0; i < threads.size(); ++i) {
-        const Thread& thread = threads[i];
-        const double pull_Ns = pulls_Ns_[i];
-        const double w_a = inverse_masses[thread.a];
-        const double w_b = inverse_masses[thread.b];
-        velocities_mps[thread.a] += thread.yields_a * (pull_Ns * w_a);
-        velocities_mps[thread.b] -= thread.yields_b * (pull_Ns * w_b);
-        held_Ns[thread.a] +=
-            (w_a > 0 ? thread.direction - thread.yields_a : thread.direction) * pull_Ns;
-        held_Ns[thread.b] -=
-            (w_b > 0 ? thread.direction - thread.yields_b : thread.direction) * pull_Ns;
-    }
+        visit(std::integral_constant<std::size_t, kAtOnce>{}, line * per_line);
+    for (; line < lines; ++line) visit(std::integral_constant<std::size_t, 1>{}, line * per_line);
 }
 
-/// Thomas's algorithm, on lines side by side: each waits for its own divisions.
+void ThreadFamily::factor(double scale_s2, std::span<const double> inverse_masses) {
+    factors_.resize(threads.size());
+    for_lines([&](auto lines, std::size_t first) {
+        factor_lines<lines>(first, scale_s2, inverse_masses);
+    });
+}
+
+/// Thomas's algorithm: what of it does not depend on velocities.
 template <std::size_t kLines>
-void ThreadFamily::find_pulls(std::size_t first,
-                              double scale_s2,
-                              std::span<const double> inverse_masses,
-                              std::span<const Vec3d> velocities_mps) {
+void ThreadFamily::factor_lines(std::size_t first,
+                                double scale_s2,
+                                std::span<const double> inverse_masses) {
     for (std::size_t i = 0; i < per_line; ++i) {
         for (std::size_t line = 0; line < kLines; ++line) {
             const std::size_t at = first + line * per_line + i;
             const Thread& thread = threads[at];
+            Factors& row = factors_[at];
             const double w_a = inverse_masses[thread.a];
             const double w_b = inverse_masses[thread.b];
-            const double stiff_kg = w_a + w_b > 0 ? thread.stiffness_Npm * scale_s2 : 0;
-            double diagonal = 1 + stiff_kg * (w_a * glm::dot(thread.yields_a, thread.yields_a) +
-                                              w_b * glm::dot(thread.yields_b, thread.yields_b));
-            double pull_Ns =
-                stiff_kg *
-                glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
+            row.stiff_kg = w_a + w_b > 0 ? thread.stiffness_Npm * scale_s2 : 0;
+            double diagonal = 1 + row.stiff_kg * (w_a * glm::dot(thread.yields_a, thread.yields_a) +
+                                                  w_b * glm::dot(thread.yields_b, thread.yields_b));
             if (i > 0) {
-                const double lower =
-                    -stiff_kg * w_a * glm::dot(thread.yields_a, threads[at - 1].yields_b);
-                diagonal -= lower * upper_[at - 1];
-                pull_Ns -= lower * pulls_Ns_[at - 1];
+                row.lower =
+                    -row.stiff_kg * w_a * glm::dot(thread.yields_a, threads[at - 1].yields_b);
+                diagonal -= row.lower * factors_[at - 1].upper;
             }
-            const double inverse = 1 / diagonal;
-            pulls_Ns_[at] = pull_Ns * inverse;
-            upper_[at] = i + 1 < per_line ? -stiff_kg * w_b * inverse *
-                                                glm::dot(thread.yields_b, threads[at + 1].yields_a)
-                                          : 0;
+            row.inverse = 1 / diagonal;
+            row.upper = i + 1 < per_line ? -row.stiff_kg * w_b * row.inverse *
+                                               glm::dot(thread.yields_b, threads[at + 1].yields_a)
+                                         : 0;
+        }
+    }
+}
+
+void ThreadFamily::relax(std::span<const double> inverse_masses,
+                         std::span<Vec3d> velocities_mps,
+                         std::span<Vec3d> held_Ns) {
+    pulls_Ns_.resize(threads.size());
+    for_lines([&](auto lines, std::size_t first) { find_pulls<lines>(first, velocities_mps); });
+    const auto hold =
+        [&](std::uint32_t point, const Vec3d& along, const Vec3d& yields, double pull) {
+            if (!(inverse_masses[point] > 0))
+                held_Ns[point] += along * pull;
+            else if (is_braced_)
+                held_Ns[point] += (along - yields) * pull;
+        };
+    for (std::size_t i = 0; i < threads.size(); ++i) {
+        const Thread& thread = threads[i];
+        const double pull_Ns = pulls_Ns_[i];
+        velocities_mps[thread.a] += thread.yields_a * (pull_Ns * inverse_masses[thread.a]);
+        velocities_mps[thread.b] -= thread.yields_b * (pull_Ns * inverse_masses[thread.b]);
+        hold(thread.a, thread.direction, thread.yields_a, pull_Ns);
+        hold(thread.b, thread.direction, thread.yields_b, -pull_Ns);
+    }
+}
+
+template <std::size_t kLines>
+void ThreadFamily::find_pulls(std::size_t first, std::span<const Vec3d> velocities_mps) {
+    for (std::size_t i = 0; i < per_line; ++i) {
+        for (std::size_t line = 0; line < kLines; ++line) {
+            const std::size_t at = first + line * per_line + i;
+            const Thread& thread = threads[at];
+            const Factors& row = factors_[at];
+            double pull_Ns =
+                row.stiff_kg *
+                glm::dot(thread.direction, velocities_mps[thread.b] - velocities_mps[thread.a]);
+            if (i > 0) pull_Ns -= row.lower * pulls_Ns_[at - 1];
+            pulls_Ns_[at] = pull_Ns * row.inverse;
         }
     }
     for (std::size_t i = per_line; i-- > 1;) {
         for (std::size_t line = 0; line < kLines; ++line) {
             const std::size_t at = first + line * per_line + i;
-            pulls_Ns_[at - 1] -= upper_[at - 1] * pulls_Ns_[at];
+            pulls_Ns_[at - 1] -= factors_[at - 1].upper * pulls_Ns_[at];
         }
     }
 }

@@ -2,7 +2,6 @@
 #include "engine/study/findings/findings_json.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -15,14 +14,6 @@ constexpr std::string_view kCsvHeading =
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
     "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes,"
     "clock_ms_per_s,effects\n";
-
-/// "cloth draft, buoyancy precise": those that do not run at the scene's own.
-std::string fidelities_of(const Setting& setting) {
-    std::vector<std::string> words;
-    for (const scene::EffectFidelity& each : setting.fidelity)
-        words.push_back(fmt::format("{} {}", each.effect, word_of(each.fidelity)));
-    return fmt::format("{}", fmt::join(words, ", "));
-}
 
 std::string line_of(const Subject& subject,
                     const Metric& metric,
@@ -62,7 +53,7 @@ std::string line_of(const Subject& subject,
                        cost.bodies,
                        cost.peak_bytes,
                        cost.clock_ms_per_s,
-                       csv_field(fidelities_of(setting)));
+                       csv_field(fidelity_text(setting)));
 }
 
 }  // namespace
