@@ -82,7 +82,7 @@ private:
         std::size_t top;
         Vec3d e;  ///< diagonals, over twice the area
         Vec3d f;
-        double weight;
+        double inverse_weight;
     };
     void find_sheared(double stiff_kgm2);
     void damp_shear(const ShearedCell& cell);
