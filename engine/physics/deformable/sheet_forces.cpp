@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <ranges>
 
 namespace plumbline::physics {
 namespace {
@@ -154,7 +153,7 @@ void Sheet::damp() {
     for (const std::size_t axis : {0U, 1U}) stretch(axis);
     find_sheared(shear_kgm2);
     for (const ShearedCell& cell : sheared_) damp_shear(cell);
-    for (const ShearedCell& cell : std::views::reverse(sheared_)) damp_shear(cell);
+    for (auto cell = sheared_.rbegin(); cell != sheared_.rend(); ++cell) damp_shear(*cell);
     for (const std::size_t axis : {1U, 0U}) stretch(axis);
     for (const std::size_t axis : {1U, 0U}) bend(axis);
 }
