@@ -85,6 +85,7 @@ private:
         double inverse_weight;
     };
     void find_sheared(double stiff_kgm2);
+    ShearedCell sheared(std::size_t top, double stiff_kgm2) const;
     void damp_shear(const ShearedCell& cell);
     void push_at_once(std::size_t point, const Vec3d& impulse_Ns) {
         velocities_mps_[point] += impulse_Ns * inverse_masses_[point];

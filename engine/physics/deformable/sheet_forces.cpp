@@ -158,26 +158,28 @@ void Sheet::damp() {
     for (const std::size_t axis : {1U, 0U}) bend(axis);
 }
 
+/// Of each row every other cell, then those between: one does not wait for the one before.
 void Sheet::find_sheared(double stiff_kgm2) {
     sheared_.clear();
-    const std::uint32_t across = columns_ - 1;
-    const double inverse_m2 = 1 / (2 * cell_m_[0] * cell_m_[1]);
     for (std::uint32_t row = 0; row + 1 < rows_; ++row) {
-        for (std::uint32_t i = 0; i + 1 < columns_; ++i) {
-            // Every other one, then those between: one does not wait for the one before.
-            const std::uint32_t column = 2 * i < across ? 2 * i : 2 * (i - (across + 1) / 2) + 1;
-            if (torn_ > 0 && !is_whole(column, row)) continue;
-            const std::size_t top = at(column, row);
-            const std::size_t below = top + columns_;
-            const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
-            const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
-            const double weight =
-                1 / stiff_kgm2 +
-                (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
-                (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
-            sheared_.push_back({.top = top, .e = e, .f = f, .inverse_weight = 1 / weight});
+        for (const std::uint32_t first : {0U, 1U}) {
+            for (std::uint32_t column = first; column + 1 < columns_; column += 2) {
+                if (torn_ == 0 || is_whole(column, row))
+                    sheared_.push_back(sheared(at(column, row), stiff_kgm2));
+            }
         }
     }
+}
+
+Sheet::ShearedCell Sheet::sheared(std::size_t top, double stiff_kgm2) const {
+    const double inverse_m2 = 1 / (2 * cell_m_[0] * cell_m_[1]);
+    const std::size_t below = top + columns_;
+    const Vec3d e = (positions_m_[below + 1] - positions_m_[top]) * inverse_m2;
+    const Vec3d f = (positions_m_[below] - positions_m_[top + 1]) * inverse_m2;
+    const double weight = 1 / stiff_kgm2 +
+                          (inverse_masses_[top] + inverse_masses_[below + 1]) * glm::dot(e, e) +
+                          (inverse_masses_[below] + inverse_masses_[top + 1]) * glm::dot(f, f);
+    return {.top = top, .e = e, .f = f, .inverse_weight = 1 / weight};
 }
 
 void Sheet::damp_shear(const ShearedCell& cell) {
