@@ -114,8 +114,8 @@ def flat_mesh():
 
 def coplanar():
     scene = Scene("H50", "sliding over four hundred boxes that lie level",
-                  "A box, a ball and a capsule without friction cross the seams of 20 by 20 static boxes "
-                  "at 10 m/s.",
+                  "A box, a plate, a ball, a capsule, cylinders and a hull without friction cross the seams of 20 "
+                  "by 20 static boxes at 10 m/s, each from another place.",
                   "rapier's and Jolt's ghost hits; Box3D's GhostCollisions throw at over 0.5 m/s", 1.8,
                   (3, 7, 15), (0, 0, 0))
     scene.ground(top=-0.6)
@@ -126,6 +126,15 @@ def coplanar():
     scene.body("ball", ball(0.5), (-9, 0.5, 0.3), friction=0.0, velocity=(10, 0, 0), material="paint_blue")
     scene.body("capsule", capsule(0.4, 1), (-9, 0.4, 3.3), friction=0.0, velocity=(10, 0, 0),
                turn=about_x(math.pi / 2), material="paint_orange")
+    corners = [[x * w, y, z * d] for y, w, d in ((-0.3, 0.5, 0.4), (0.3, 0.4, 0.3)) for x in (-1, 1) for z in (-1, 1)]
+    run = {"friction": 0.0, "velocity": (10, 0, 0)}
+    for i in range(3):
+        scene.body(f"box_{i}", box(1, 1, 1), (-9.43 + 0.29 * i, 0.5, -9.1 + 1.07 * i), **run)
+        scene.body(f"plate_{i}", box(1, 0.2, 0.6), (-9.37 + 0.23 * i, 0.1, -5.9 + 0.83 * i), **run)
+        scene.body(f"cylinder_{i}", cylinder(0.4, 0.8), (-9.47 + 0.31 * i, 0.4, 4.6 + 0.91 * i),
+                   turn=about_x(math.pi / 2) if i == 1 else None, material="paint_cream", **run)
+        scene.body(f"hull_{i}", box(1, 0.6, 0.8), (-9.41 + 0.19 * i, 0.3, 7.33 + 0.87 * i),
+                   own_shape=f"hull_m = {corners}", material="paint_blue", **run)
     smooth_run(scene)
     return scene
 

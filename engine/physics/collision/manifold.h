@@ -38,10 +38,10 @@ struct ManifoldPoint {
     std::uint32_t feature{
         0};  ///< of the manifold, the same for as long as the point is found again
     int age_steps{0};
-    ContactSide a;
-    ContactSide b;
     Vec3 normal_world{0, 1, 0};  ///< from b to a
     Real distance_m{0};          ///< negative: penetration
+    ContactSide a;
+    ContactSide b;
     PointLoad load;
     Real normal_Ns{0};  ///< over the whole of the latest step
 };

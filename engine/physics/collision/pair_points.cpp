@@ -51,10 +51,10 @@ ManifoldPoint point_on(const Manifold& manifold,
                        const ManifoldParts& parts,
                        const ConvexPoint& found) {
     const Vec3 on_a = found.on_b + found.normal * found.distance_m;
-    ManifoldPoint point{.a = side_of(*manifold.a, parts.a, on_a, -found.normal),
-                        .b = side_of(*manifold.b, parts.b, found.on_b, found.normal),
-                        .normal_world = found.normal,
-                        .distance_m = found.distance_m};
+    ManifoldPoint point{.normal_world = found.normal,
+                        .distance_m = found.distance_m,
+                        .a = side_of(*manifold.a, parts.a, on_a, -found.normal),
+                        .b = side_of(*manifold.b, parts.b, found.on_b, found.normal)};
     if (point.a.radius_m > 0 && point.b.radius_m == 0 && parts.b != nullptr)
         point.b.is_moving_face = pushable(*manifold.b) && is_face(*parts.b, found.normal);
     if (point.b.radius_m > 0 && point.a.radius_m == 0 && parts.a != nullptr)

@@ -15,10 +15,6 @@ bool is_moving(const BodyRecord& record) {
     return record.kind != BodyKind::Static && !record.frozen;
 }
 
-Real spin_mps(const BodyRecord& record) {
-    return is_moving(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
-}
-
 /// How much of an impact's change of speed `record` takes. What is backed gives way to nothing.
 Real share_of(const BodyRecord& record, const BodyRecord& other) {
     const Real own = record.motion->inverse_mass;
@@ -45,43 +41,16 @@ Real closing_mps(const Manifold& manifold, const ManifoldPoint& point) {
            std::max(Real{0}, glm::dot(manifold.b->small.predicted.change_mps, normal));
 }
 
-bool is_face_of_box(const Mat3& axes, const Vec3& normal) {
-    constexpr Real kAlong = 0.9999_r;
-    for (int k = 0; k < 3; ++k) {
-        if (std::abs(glm::dot(axes[k], normal)) > kAlong) return true;
-    }
-    return false;
-}
-
-/// Whether a sphere or capsule that is near a box's edge goes by: one that slides over the seam
-/// between two boxes must not bump into the edge of the next, which lies below its path.
-bool passes_edge(const Manifold& manifold, const ManifoldPoint& point, Real step_s) {
-    constexpr Real kTouch = 0.005_r;  // of the radius, as is the next
-    constexpr Real kFar = 0.1_r;
-    const bool box_last = manifold.b->traits.primitive.kind == ConvexShape::Kind::Box;
-    const BodyRecord& round = box_last ? *manifold.a : *manifold.b;
-    const BodyRecord& box = box_last ? *manifold.b : *manifold.a;
-    const Vec3 out = box_last ? point.normal_world : -point.normal_world;
-    const Vec3& edge = box_last ? point.b.surface_m : point.a.surface_m;
-    const Real radius_m = round.traits.primitive.radius_m;
-    if (radius_m <= 0 || box.traits.primitive.kind != ConvexShape::Kind::Box ||
-        point.distance_m < -kTouch * radius_m || is_face_of_box(box.motion->at.rotation, out))
-        return false;
-    const Vec3 center = edge + out * (radius_m + point.distance_m);
-    const Vec3 displacement = (velocity_at(round, center) - velocity_at(box, edge)) * step_s;
-    const Real length2 = glm::dot(displacement, displacement);
-    if (length2 < kFar * kFar * radius_m * radius_m) return false;
-    const Vec3 apart = center - edge;
-    const Real nearest = std::clamp(-glm::dot(apart, displacement) / length2, Real{0}, Real{1});
-    return glm::length(apart + displacement * nearest) > radius_m * (1 - kTouch);
-}
-
 void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
     if (glm::dot(change, change) > glm::dot(predicted.change_mps, predicted.change_mps))
         predicted = {change, backed, false};
 }
 
 }  // namespace
+
+Real spin_mps(const BodyRecord& record) {
+    return is_moving(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
+}
 
 Real ahead_m(const BodyRecord& record) {
     return is_moving(record) ? std::max(record.sweep.inner_radius_m, record.traits.radius_m / 4)
@@ -122,7 +91,6 @@ bool is_reachable(const Manifold& manifold,
                   const ManifoldPoint& point,
                   Real near_m,
                   const CollideStep& step) {
-    if (passes_edge(manifold, point, step.step_s)) return false;
     const Real closing = std::max(Real{0}, closing_mps(manifold, point));
     const Vec3 gap = point.a.surface_m - point.b.surface_m;
     const Real drift2 = glm::dot(gap, gap) - point.distance_m * point.distance_m;

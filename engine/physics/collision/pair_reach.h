@@ -39,6 +39,8 @@ Real predicted_mps(const Pair& pair);
 /// Whether predicted changes since the pair's latest test let its bodies come noticeably farther.
 bool knows_less(const Pair& pair, const CollideStep& step);
 
+/// What the record's surface moves by as it turns, at most.
+Real spin_mps(const BodyRecord& record);
 /// Whether the bodies can close the point within the step: near ones count anyway.
 bool is_reachable(const Manifold& manifold,
                   const ManifoldPoint& point,

@@ -2,6 +2,7 @@
 
 #include "engine/core/time/trace_events.h"
 #include "engine/physics/bullet/contact/pair_boxes.h"
+#include "engine/physics/collision/ghost_contacts.h"
 #include "engine/physics/collision/pair_points.h"
 #include "engine/physics/world/body_record.h"
 
@@ -58,6 +59,7 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     walkers_.insert(walkers_.end(), bodies.kinematic().begin(), bodies.kinematic().end());
     walk(bodies, crowded() ? nullptr : team);
     if (!visit_woken(bodies)) list_touching(bodies.dynamic(), touching_pairs_);
+    drop_ghost_contacts(bodies.dynamic(), step_);
     for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
     return tests_;
 }
@@ -82,13 +84,14 @@ bool PairWalk::visit_woken(AwakeBodies& bodies) {
 void PairWalk::collide_woken(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
     if (bodies.woken().empty()) return;
     visit_woken(bodies);
+    drop_ghost_contacts(bodies.dynamic(), step_);
     list_again(bodies, touching);
 }
 
 void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
                              const CollideStep& step,
                              std::vector<Manifold*>& manifolds) {
-    manifolds.clear();
+    std::vector<Pair*> touching;
     for (const BodyRecord* record : bodies) {
         for (const PairLink& link : record->small.pairs) {
             const BodyRecord& other = partner(*link.pair, *record);
@@ -102,9 +105,12 @@ void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
                 continue;
             if (!step.only_struck || is_struck(*record) || is_struck(other))
                 find_points(*link.pair, step);
-            if (link.pair->touches) list_manifolds(*link.pair, manifolds);
+            if (link.pair->touches) touching.push_back(link.pair);
         }
     }
+    drop_ghost_contacts(bodies, step);
+    manifolds.clear();
+    for (Pair* pair : touching) list_manifolds(*pair, manifolds);
 }
 
 void PairWalk::list(std::span<BodyRecord* const> bodies, std::vector<Manifold*>& manifolds) {

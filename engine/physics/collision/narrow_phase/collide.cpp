@@ -52,19 +52,21 @@ ConvexContact sphere_box(const PlacedShape& a, const PlacedShape& b, Real reach_
     return spheres_box({&a.world_from_shape.position_m, 1}, a.shape.radius_m, oriented(b), reach_m);
 }
 
-/// The ends of the capsule's axis and, where an edge or a corner is nearer than both, between them.
+/// The ends of what of the capsule's axis lies over a face and, where an edge or a corner is nearer than both, between them. Beyond the
+/// face's edge the line on which the capsule lies is not held, and would be pushed aside there.
 ConvexContact capsule_box(const PlacedShape& capsule, const PlacedShape& b, Real reach_m) {
     const OrientedBox box = oriented(b);
     const Vec3& middle = capsule.world_from_shape.position_m;
     const Vec3 half = capsule.world_from_shape.rotation[1] * capsule.shape.half_height_m;
-    std::array<Vec3, 3> centers{middle - half, middle + half, middle};
-    auto& [low, high, nearest] = centers;
-    nearest = middle + half * (2 * nearest_on_segment(low, high, box) - 1);
+    const auto at = [&](Real share) { return middle + half * (2 * share - 1); };
     const auto distance_m = [&box](const Vec3& center) {
         return collide_sphere_box(center, 0, box).distance_m;
     };
-    const Real ends_m = std::min(distance_m(low), distance_m(high));
-    const bool has_middle = distance_m(nearest) < ends_m - kNearer * capsule.shape.radius_m;
+    const Real nearest = nearest_on_segment(at(0), at(1), box);
+    const SegmentPart part = part_over_face(at(0), at(1), nearest, box);
+    const std::array<Vec3, 3> centers{at(part.from), at(part.to), at(nearest)};
+    const Real ends_m = std::min(distance_m(centers[0]), distance_m(centers[1]));
+    const bool has_middle = distance_m(centers[2]) < ends_m - kNearer * capsule.shape.radius_m;
     return spheres_box(
         {centers.data(), has_middle ? 3U : 2U}, capsule.shape.radius_m, box, reach_m);
 }

@@ -302,6 +302,11 @@ void find_feature(const PlacedConvex& convex, const Vec3d& direction, Feature& f
     placer.point({0, 0, 0});
 }
 
+double separation_along(const PlacedConvex& a, const PlacedConvex& b, const Vec3d& direction) {
+    return glm::dot(support(a, -direction) - support(b, direction), direction) - a.radius_m -
+           b.radius_m;
+}
+
 FacePlane face_along(const PlacedConvex& convex, const Vec3d& direction) {
     if (convex.shape == nullptr) return triangle_plane(convex, direction);
     const ConvexShape& shape = *convex.shape;

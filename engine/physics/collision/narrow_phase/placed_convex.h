@@ -24,6 +24,9 @@ PlacedConvex placed_triangle(const std::array<Vec3d, 3>& corners_m);
 /// The core's point that lies farthest along `direction`, whatever that vector's length.
 Vec3d support(const PlacedConvex& convex, const Vec3d& direction);
 
+/// How far `a` lies beyond `b` along the unit `direction`, m; negative: they overlap along it.
+double separation_along(const PlacedConvex& a, const PlacedConvex& b, const Vec3d& direction);
+
 /// What of a core touches first along a direction: a flat region in space.
 struct Feature {
     /// A disc keeps its axis, and its `corners` are places on its rim.

@@ -2,9 +2,16 @@
 
 #include "engine/physics/transform.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::physics {
+namespace {
+
+/// Less far beyond an edge, as a share of the height over the face, is over the face.
+constexpr Real kOverFace = 1e-3_r;
+
+}  // namespace
 
 SphereContact collide_sphere_box(const Vec3& center, Real radius_m, const OrientedBox& box) {
     const Vec3 local = glm::transpose(box.axes) * (center - box.center);
@@ -55,6 +62,25 @@ Real nearest_on_segment(const Vec3& from, const Vec3& to, const OrientedBox& box
         }
     }
     return (low + high) / 2;
+}
+
+SegmentPart part_over_face(const Vec3& from, const Vec3& to, Real nearest, const OrientedBox& box) {
+    const Vec3 begin = glm::transpose(box.axes) * (from - box.center);
+    const Vec3 along = glm::transpose(box.axes) * (to - from);
+    const Vec3 outside = magnitudes_of(begin + along * nearest) - box.half_m;
+    int face = outside.y > outside.x ? 1 : 0;
+    if (outside.z > outside[face]) face = 2;
+    SegmentPart part;
+    for (int k = 0; k < 3; ++k) {
+        if (k == face) continue;
+        if (outside[k] > kOverFace * outside[face]) return {};
+        if (along[k] == 0) continue;
+        const Real low = (-box.half_m[k] - begin[k]) / along[k];
+        const Real high = (box.half_m[k] - begin[k]) / along[k];
+        part.from = std::max(part.from, std::min(low, high));
+        part.to = std::min(part.to, std::max(low, high));
+    }
+    return part.from < part.to ? part : SegmentPart{};
 }
 
 }  // namespace plumbline::physics

@@ -19,4 +19,12 @@ SphereContact collide_sphere_box(const Vec3& center, Real radius_m, const Orient
 /// `to`. Distance to a convex thing is convex along a line: found by golden section.
 Real nearest_on_segment(const Vec3& from, const Vec3& to, const OrientedBox& box);
 
+/// The part of a segment that lies over the face of the box that its point at `nearest` (a share of it) lies over, as shares; all of
+/// it where that point lies over an edge or a corner.
+struct SegmentPart {
+    Real from{0};
+    Real to{1};
+};
+SegmentPart part_over_face(const Vec3& from, const Vec3& to, Real nearest, const OrientedBox& box);
+
 }  // namespace plumbline::physics

@@ -93,29 +93,6 @@ TEST(Reachable, IsNoPointThatItsBodiesLeft) {
     EXPECT_FALSE(is_reachable(manifold, manifold.points[0], 0.02_r, bodies.step));
 }
 
-TEST(Reachable, IsNoEdgeThatASphereRollsPast) {
-    // A sphere of 0.1 m rolls along x, its lowest point level with a box whose edge is 2 cm ahead.
-    Closing bodies;
-    bodies.a.traits.primitive = {.kind = ConvexShape::Kind::Sphere, .radius_m = 0.1_r};
-    bodies.b.traits.primitive = {.kind = ConvexShape::Kind::Box, .half_m = {0.5_r, 0.5_r, 0.5_r}};
-    bodies.motion_a.at.position_m = {-0.52_r, 0.6_r, 0};
-    const Vec3 edge{-0.5_r, 0.5_r, 0};
-    const Vec3 away = bodies.motion_a.at.position_m - edge;
-    Manifold manifold{.a = &bodies.a, .b = &bodies.b};
-    ManifoldPoint& point = manifold.points.emplace_back();
-    point.normal_world = glm::normalize(away);
-    point.distance_m = glm::length(away) - 0.1_r;
-    point.b.surface_m = edge;
-    point.a.surface_m = edge + point.normal_world * point.distance_m;
-    bodies.motion_a.velocity_mps = {2, 0, 0};
-    EXPECT_FALSE(is_reachable(manifold, point, 0.02_r, bodies.step)) << "it goes over";
-    bodies.motion_a.velocity_mps = {2, -1, 0};
-    EXPECT_TRUE(is_reachable(manifold, point, 0.02_r, bodies.step)) << "it comes down on it";
-    // 5 mm in the step: less than a tenth of the radius.
-    bodies.motion_a.velocity_mps = {0.05_r, 0, 0};
-    EXPECT_TRUE(is_reachable(manifold, point, 0.02_r, bodies.step)) << "it rests there";
-}
-
 TEST(Impact, IsSharedByMass) {
     Closing bodies;
     bodies.pair.reach_m = 0.23_r;

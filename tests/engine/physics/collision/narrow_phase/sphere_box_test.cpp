@@ -59,5 +59,29 @@ TEST(NearestOnSegment, IsAsNearAsAnyPlaceTried) {
     }
 }
 
+TEST(SegmentOverBox, EndsAtTheEdgesOfTheFace) {
+    // Above the top, from the middle to 2 m beyond the edge at z = 4.5.
+    const Vec3 from{1, 3.2_r, 3};
+    const Vec3 to{1, 3.2_r, 6.5_r};
+    const SegmentPart held = part_over_face(from, to, 0.1_r, kBox);
+    EXPECT_EQ(held.from, 0);
+    EXPECT_NEAR(held.to, 1.5_r / 3.5_r, kBallNear);
+    const SegmentPart back = part_over_face(to, from, 0.9_r, kBox);
+    EXPECT_NEAR(back.from, 2 / 3.5_r, kBallNear);
+    EXPECT_EQ(back.to, 1);
+    const SegmentPart across = part_over_face({-1, 3.2_r, 3}, {3, 3.2_r, 3}, 0.5_r, kBox);
+    EXPECT_NEAR(across.from, 1.5_r / 4, kBallNear);
+    EXPECT_NEAR(across.to, 2.5_r / 4, kBallNear);
+}
+
+TEST(SegmentOverBox, IsWholeWhereAnEdgeOrACornerIsNearest) {
+    for (const Vec3& beside : {Vec3{1.9_r, 0, 0}, Vec3{1.9_r, 0, 3}}) {
+        const Vec3 from = Vec3{1, 3.3_r, 3} + beside;
+        const SegmentPart whole = part_over_face(from, from + Vec3{0.1_r, 0.2_r, 0.4_r}, 0, kBox);
+        EXPECT_EQ(whole.from, 0);
+        EXPECT_EQ(whole.to, 1);
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::physics
