@@ -285,7 +285,7 @@ void IslandSolver::Impl::hold(const Island& island,
         if (record->small.substeps == had)
             for_steps = std::min(for_steps, record->small.substeps_held);
     }
-    had = std::min(had, most_of_plates(step.substeps_most));
+    had = std::min(had, most_of_stacks(step.substeps_most));
     const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps &&
                            choice.needed <= kSurelyEnough * choice.substeps;
     const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);

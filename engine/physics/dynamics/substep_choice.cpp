@@ -15,6 +15,10 @@ constexpr double kMeanShare = 1.5e-3;
 constexpr double kSmallest_m = 0.02;
 constexpr double kThinShare = 0.02;
 constexpr double kSubstepsPerLevel = 0.34;
+/// A tower of n blocks on springs at their corners falls by its own weight from a sag of 1.96 / n^2 of their size in its lowest joint on:
+/// n^3 = 7.84 c / (m g a) (Greenhill 1881), c = k a^2 / 4 each joint's stiffness against leaning. This is 0.85 of it.
+constexpr double kBuckling = 1.67;
+constexpr int kTower = 10;         ///< levels: fewer do not buckle before they sag
 constexpr double kTurn_rad = 0.4;  ///< of jointed bodies in one sub-step
 /// At least, where contacts press on jointed bodies: position correction of joints and soft contacts else set each other
 /// trembling.
@@ -178,6 +182,7 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     if (most <= least) return {least, SubstepReason::Fixed};
     double needed = 0;
     double deepest_plate_share = 0;
+    double by_buckling = 0;
     SubstepReason reason = SubstepReason::Least;
     const auto ask = [&](double substeps, SubstepReason why) {
         if (substeps <= needed) return;
@@ -186,7 +191,10 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     };
     if (!pairs_.empty()) {
         const Sag sag = foretell_sag();
-        if (!has_joints_) deepest_plate_share = sag.deepest_of_plates;
+        if (!has_joints_) {
+            deepest_plate_share = sag.deepest_of_plates;
+            if (levels() >= kTower) by_buckling = levels() * std::sqrt(sag.deepest / kBuckling);
+        }
         const double wished = std::max(sag.deepest / kDeepestShare, sag.mean / kMeanShare);
         ask(std::sqrt(wished), SubstepReason::Load);
         if (bodies_ > static_cast<std::size_t>(least)) {
@@ -201,10 +209,11 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     ask(least * std::sqrt(joint_error_ / kJointError), SubstepReason::Error);
     needed = std::min(needed, static_cast<double>(most));
     ask(std::sqrt(deepest_plate_share / kDeepestShare), SubstepReason::Load);
+    if (deepest_plate_share == 0) ask(by_buckling, SubstepReason::Height);
     const double asked = std::max(needed, static_cast<double>(least));
     const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), double{kMostSubsteps}));
     const int* size = std::lower_bound(kSizes.data(), kSizes.data() + kSizes.size(), wanted);
-    return {std::clamp(*size, least, wanted > most ? most_of_plates(most) : most), reason, needed};
+    return {std::clamp(*size, least, wanted > most ? most_of_stacks(most) : most), reason, needed};
 }
 
 }  // namespace plumbline::physics

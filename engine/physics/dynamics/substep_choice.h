@@ -37,8 +37,8 @@ struct SubstepChoice {
 
 inline constexpr int kMostSubsteps = 64;
 
-/// Stacks of plates buckle where contacts give way by a share of their thickness: without joints they get up to so many.
-constexpr int most_of_plates(int most) {
+/// Stacks buckle where their contacts give way by a share of what they are made of: without joints they get up to so many.
+constexpr int most_of_stacks(int most) {
     constexpr int kTimes = 4;
     return std::min(kTimes * most, kMostSubsteps);
 }
@@ -65,7 +65,7 @@ public:
     void add_joint(Real spin_radps, Real relative_error, int least_substeps = 0);
     /// A force field acts on one of the bodies.
     void add_field(int substeps);
-    /// From `least` to `most`, or to most_of_plates() where loads on plates without joints ask for more.
+    /// From `least` to `most`, or to most_of_stacks() where tall stacks or loads on plates without joints ask for more.
     SubstepChoice choose(int least, int most);
 
 private:

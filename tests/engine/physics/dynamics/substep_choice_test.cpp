@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -93,6 +94,27 @@ TEST(SubstepChoice, GrowsWithTheHeightOfAStackAndSaysSo) {
         }
     }
     EXPECT_GT(for_tower(100).substeps, 2 * for_tower(20).substeps);
+}
+
+/// Blocks of 1 m and 1 kg, each pair's load known.
+SubstepChoice for_blocks(int height, double step_s, int most) {
+    SubstepChooser chooser;
+    chooser.begin(static_cast<std::size_t>(height), step_s);
+    for (int i = 0; i < height; ++i)
+        chooser.add_contact(pressed(i, i - 1, real(9.81 * (height - i)), i > 0 ? 0.5_r : 1));
+    return chooser.choose(2, most);
+}
+
+// What stands as if its joints were springs falls beyond the height that they bear (Greenhill 1881): from n^3 = 1.25 a / (g h^2) on.
+TEST(SubstepChoice, ATowerGetsMoreThanTheMostBeforeItBuckles) {
+    for (const double step_s : {1.0 / 30, 1.0 / 60}) {
+        for (const int height : {40, 60}) {
+            const SubstepChoice choice = for_blocks(height, step_s, 16);
+            EXPECT_GT(choice.substeps, step_s * std::sqrt(9.81 * std::pow(height, 3) / 1.25));
+        }
+    }
+    EXPECT_EQ(for_blocks(60, 1.0 / 60, 16).reason, SubstepReason::Height);
+    EXPECT_EQ(for_blocks(20, 1.0 / 60, 16).substeps, 7) << "by its height alone";
 }
 
 TEST(SubstepChoice, AFloorFullOfBodiesIsNotHigh) {

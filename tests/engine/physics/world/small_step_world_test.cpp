@@ -60,5 +60,22 @@ TEST(SmallStepWorld, WhatHappensFarAwayChangesNothing) {
     EXPECT_EQ(plain.run(300), crowded.run(300));
 }
 
+TEST(TallTower, OfSixtyCubesStands) {
+    constexpr int kCubes = 60;
+    TestWorld test(
+        {.substeps = 2, .substeps_max = 16, .iterations = 1, .solver = Solver::SmallStep});
+    test.ground();
+    BodyId top{};
+    for (int i = 0; i < kCubes; ++i) {
+        top = test.add(BoxShape{{1, 1, 1}},
+                       {0, static_cast<Real>(i) + 0.5_r, 0},
+                       {.kind = BodyKind::Dynamic, .can_sleep = false});
+    }
+    test.run(20);
+    EXPECT_NEAR(test.at(top).x, 0, 1e-3);
+    EXPECT_NEAR(test.at(top).y, kCubes - 0.5, 0.05);
+    EXPECT_NEAR(test.at(top).z, 0, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::physics
