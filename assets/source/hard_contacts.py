@@ -404,7 +404,7 @@ def phantom():
     scene.ground()
     scene.fixed("wall", box(14, 2, 0.4), (0, 1, -0.7), material="brick")
     scene.body("box", box(1, 1, 1), (-5, 1, 0.001), velocity=(5, 0, 0))
-    scene.rule("impulse_Ns", "box", below=1e-6)
+    scene.rule("contact_force_N", "box", below=6e-5)
     scene.rule("speed_change", "box", below=1e-4)
     return scene
 

@@ -87,7 +87,7 @@ def batteries():
 def still_points():
     scene = Scene("D08", "points that stay where they are",
                   "Two cylinders stand and two lie for 10 s: none moves by a micrometre a step, and each presses as it "
-                  "weighs (at 60 Hz). Not judged: how far the points themselves move, and how many are warm-started.",
+                  "weighs. Not judged: how far the points themselves move, and how many are warm-started.",
                   "Genesis-Embodied-AI/genesis-world PR #3245: the patch travels 15.2 and 22.6 mm a step", 10,
                   (0.12, 0.16, 0.3), (0, 0.02, 0), penetration=0.0008, player=(0, 0, 1.2), shadow=3)
     scene.ground()
@@ -97,8 +97,8 @@ def still_points():
         scene.body(f"standing_{i}", cylinder(radius, high), (x, high / 2, -0.04), mass, material="paint_blue")
         scene.body(f"lying_{i}", cylinder(radius, high), (x, radius, 0.05), mass, material="paint_orange",
                    turn=about_x(math.pi / 2))
-        load = mass * G / 60
-        scene.rule("impulse_Ns", [f"standing_{i}", f"lying_{i}"], near=(load, 0.05 * load), from_s=1)
+        load = mass * G
+        scene.rule("contact_force_N", [f"standing_{i}", f"lying_{i}"], near=(load, 0.05 * load), from_s=1)
     scene.rule("speed_mps", below=6e-5, from_s=1)
     scene.rule("drift_m", below=0.0001)
     return scene

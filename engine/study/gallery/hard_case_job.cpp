@@ -77,7 +77,7 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
 /// Rules that only our own physics can answer.
 bool watches_forces(const HardCaseJudge& judge) {
     return std::ranges::any_of(judge.rules(), [](const RuleState& rule) {
-        return rule.measure == "joint_force_N" || rule.measure == "impulse_Ns";
+        return rule.measure == "joint_force_N" || rule.measure == "contact_force_N";
     });
 }
 

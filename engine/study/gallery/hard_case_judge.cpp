@@ -160,7 +160,7 @@ Result<Done> HardCaseJudge::add_rule(const scene::Simulation& simulation,
                 return fault_at(rule.location, fmt::format("\"{}\" has no body", rule.relative_to));
         }
     }
-    needs_contacts_ = needs_contacts_ || rule.measure == "impulse_Ns";
+    needs_contacts_ = needs_contacts_ || rule.measure == "contact_force_N";
     watched_.push_back(std::move(watched));
     states_.push_back(state_of(rule, seconds_));
     return Done{};
@@ -230,7 +230,8 @@ BodyObservation HardCaseJudge::look_at(const scene::Simulation& simulation,
         .now = simulation.physics.state(mine.id),
         .lowest_m = mine.lowest_m,
         .gravity_mps2 = static_cast<double>(glm::length(simulation.physics.def().gravity_mps2)),
-        .contacts = contacts_};
+        .contacts = contacts_,
+        .step_s = simulation.physics.def().step_s};
     if (other != kNone && simulation.physics.contains(bodies_[other].id)) {
         look.other = bodies_[other].id;
         look.other_start = bodies_[other].start;

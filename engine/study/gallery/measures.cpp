@@ -50,7 +50,8 @@ double across(const Vec3d& v) {
     return std::hypot(v.x, v.z);
 }
 
-double impulse_Ns(const BodyObservation& body) {
+/// Mean over the latest step.
+double contact_force_N(const BodyObservation& body) {
     double sum = 0;
     for (const physics::ContactEvent& contact : body.contacts) {
         const bool mine = contact.a == body.id || contact.b == body.id;
@@ -58,7 +59,7 @@ double impulse_Ns(const BodyObservation& body) {
             body.other == physics::BodyId{} || contact.a == body.other || contact.b == body.other;
         if (mine && asked) sum += static_cast<double>(contact.impulse_Ns);
     }
-    return sum;
+    return sum / body.step_s;
 }
 
 double mean_displacement_m(std::span<const BodyObservation> bodies) {
@@ -136,7 +137,7 @@ const std::array kMeasures{
                 return angle_between_deg(turned(body) * Vec3d{0, 1, 0}, {0, 1, 0});
             }},
     Measure{"awake", +[](const BodyObservation& body) { return body.now.awake ? 1.0 : 0.0; }},
-    Measure{"impulse_Ns", &impulse_Ns},
+    Measure{"contact_force_N", &contact_force_N},
     // --- of all bodies named together
     Measure{"mean_displacement_m", &mean_displacement_m},
     Measure{"mean_height_m", &mean_height_m},

@@ -30,8 +30,9 @@ struct BodyObservation {
     physics::BodyId other{};
     BodyStart other_start{};
     physics::BodyState other_now{};
-    /// Of the latest step; filled where a rule asks for impulses.
+    /// Of the latest step; filled where a rule asks for contact forces.
     std::span<const physics::ContactEvent> contacts{};
+    double step_s{1.0 / 60};
 };
 
 /// What the whole world began with.
