@@ -91,12 +91,15 @@ public:
         for (const Touch& touch : touches_) {
             if (acts(touch)) (is_behind_another(touch) ? ghosts_ : met_).push_back(touch);
         }
+        const auto passed = std::partition(
+            met_.begin(), met_.end(), [&](const Touch& touch) { return !passes_by(touch); });
         // A body that meets something moves otherwise from then on. Only a round surface still is where it was then, turned or not.
-        const bool alone = std::ranges::all_of(met_, [&](const Touch& touch) {
-            return passes_by(touch) && !(pushable(*touch.other) && touches_more(*touch.other));
-        });
-        std::ranges::copy_if(met_, std::back_inserter(ghosts_), [&](const Touch& touch) {
-            return alone || (is_round(body) && !is_round(*touch.other) && passes_by(touch));
+        const bool alone =
+            passed == met_.begin() && std::none_of(passed, met_.end(), [](const Touch& touch) {
+                return pushable(*touch.other) && touches_more(*touch.other);
+            });
+        std::copy_if(passed, met_.end(), std::back_inserter(ghosts_), [&](const Touch& touch) {
+            return alone || (is_round(body) && !is_round(*touch.other));
         });
     }
 
