@@ -14,6 +14,7 @@ namespace {
 
 /// Normals that lie nearer to each other (cosine, 26 degrees) are no side's: a body lies on both, if on faces.
 constexpr Real kSameNormal = 0.9_r;
+/// A normal that lies nearer to a face's (cosine) is that face's; of what is round, which has a normal for every place, still nearer.
 constexpr Real kAlongFace = 1 - 1e-5_r;
 constexpr Real kRoundAlongFace = 1 - 1e-6_r;
 /// Of the body's inner radius: a step as high as this is felt.
@@ -33,7 +34,8 @@ struct Touch {
     Vec3 place;         ///< on the other, world
     Real nearest_m;     ///< least distance of a point, negative: penetration
     bool is_a;          ///< the body is the manifold's a
-    bool is_round;
+    bool is_round;      ///< the body's side there
+    Real along_face() const { return is_round ? kRoundAlongFace : kAlongFace; }
 };
 
 void add_touches(Pair& pair, Manifold& manifold, const BodyRecord& body, std::vector<Touch>& all) {
@@ -171,7 +173,7 @@ private:
     /// Whether the body lies on `under` so that what `touch` meets is level with it.
     bool is_level(const Touch& touch, const Touch& under) const {
         const Real alike = glm::dot(under.normal, touch.normal);
-        if (alike > (touch.is_round ? kRoundAlongFace : kAlongFace)) return false;
+        if (alike > touch.along_face()) return false;
         if (std::abs(glm::dot(touch.place - under.place, under.normal)) > level_m(under))
             return false;
         if (alike > kSameNormal && !is_on_edge(touch)) return false;
@@ -185,7 +187,7 @@ private:
     bool is_on_edge(const Touch& touch) const {
         const Parts parts = parts_of(touch);
         const Vec3d normal{touch.normal};
-        const auto along = static_cast<double>(touch.is_round ? kRoundAlongFace : kAlongFace);
+        const auto along = static_cast<double>(touch.along_face());
         const FacePlane own = face_along(parts.own, -normal);
         const FacePlane others = face_along(parts.other, normal);
         return others.exists && glm::dot(others.normal, normal) < along &&

@@ -191,10 +191,9 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     };
     if (!pairs_.empty()) {
         const Sag sag = foretell_sag();
-        if (!has_joints_) {
-            deepest_plate_share = sag.deepest_of_plates;
-            if (levels() >= kTower) by_buckling = levels() * std::sqrt(sag.deepest / kBuckling);
-        }
+        if (!has_joints_) deepest_plate_share = sag.deepest_of_plates;
+        if (!has_joints_ && sag.deepest_of_plates == 0 && levels() >= kTower)
+            by_buckling = levels() * std::sqrt(sag.deepest / kBuckling);
         const double wished = std::max(sag.deepest / kDeepestShare, sag.mean / kMeanShare);
         ask(std::sqrt(wished), SubstepReason::Load);
         if (bodies_ > static_cast<std::size_t>(least)) {
@@ -209,7 +208,7 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     ask(least * std::sqrt(joint_error_ / kJointError), SubstepReason::Error);
     needed = std::min(needed, static_cast<double>(most));
     ask(std::sqrt(deepest_plate_share / kDeepestShare), SubstepReason::Load);
-    if (deepest_plate_share == 0) ask(by_buckling, SubstepReason::Height);
+    ask(by_buckling, SubstepReason::Height);
     const double asked = std::max(needed, static_cast<double>(least));
     const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), double{kMostSubsteps}));
     const int* size = std::lower_bound(kSizes.data(), kSizes.data() + kSizes.size(), wanted);
