@@ -126,22 +126,7 @@ def fitting(m, wall, hole):
     part(middle, y0 - 0.015, plan.THICK + 0.03, (u1 - u0 + 0.1, 0.03, 0.12), "oak")
     g = [wall.place(u, y, plan.GLASS_DEPTH) for u, y in ((u0, y0), (u1, y0), (u1, y1), (u0, y1))]
     m.quad(g, "glass", [(0, 0), (1, 0), (1, 1), (0, 1)])
-    curtain(m, wall, hole)
-
-
-def curtain(m, wall, hole):
-    """A rod, and cloth in folds at either side of the window."""
-    u0, u1, y0, y1 = hole
-    m.part(wall.place((u0 + u1) / 2, y1 + 0.12, plan.THICK + 0.07), (u1 - u0 + 0.5, 0.025, 0.025), "iron", wall.yaw_deg)
-    folds, width = 6, 0.34
-    for side in (-1, 1):
-        at = [(u0 if side < 0 else u1) + side * (0.2 - width * i / folds) for i in range(folds + 1)]
-        for i, (a, b) in enumerate(zip(at, at[1:])):
-            da, db = (plan.THICK + 0.05 + 0.05 * ((i + k) % 2) for k in (0, 1))
-            cloth = [wall.place(a, y0 + 0.01, da), wall.place(b, y0 + 0.01, db), wall.place(b, y1 + 0.12, db),
-                     wall.place(a, y1 + 0.12, da)]
-            m.quad(cloth, "curtain")
-            m.quad(cloth[::-1], "curtain")
+    m.part(wall.place(middle, y1 + plan.CURTAIN_ROD, plan.CURTAIN_DEPTH), (u1 - u0 + 0.5, 0.025, 0.025), "iron", wall.yaw_deg)
 
 
 def inner_wall(m, wall):

@@ -19,7 +19,7 @@ def bake(obj, closed_by):
     """Writes light into the vertices of vcol_ faces, which share none. `closed_by`: quads that stand for doors."""
     mesh = obj.data
     vertices = [v.co.copy() for v in mesh.vertices]
-    faces = [list(p.vertices) for p in mesh.polygons if mesh.materials[p.material_index].name not in ("glass", "curtain")]
+    faces = [list(p.vertices) for p in mesh.polygons if mesh.materials[p.material_index].name != "glass"]
     for points in closed_by:
         faces.append(list(range(len(vertices), len(vertices) + 4)))
         vertices += points

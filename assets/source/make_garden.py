@@ -270,9 +270,9 @@ entity("flagpole", FLAG, model='"models/flagpole.glb"', body=['kind = "static"',
 DOWNWIND = math.degrees(math.atan2(-WIND[2], WIND[0]))
 
 
-def cloth(name, size, center, turn, material, cells, pins, density=0.12):
-    put(f'\n[[cloth]]\nname = "{name}"\nsize_m = {vec(*size)}\nposition_m = {vec(*center)}\nrotation_deg = {vec(0, turn, 0)}\n'
-        f'cells = [{cells[0]}, {cells[1]}]\ndensity_kgpm2 = {density}\nstretch_Npm = {3300 * density:.0f}\nbend_Nm = 2e-5\ndamping_s = 0.002\ndrag = 1.2\n'
+def cloth(name, size, center, turn, material, cells, pins, density=0.12, bend="2e-5", folds=""):
+    put(f'\n[[cloth]]\nname = "{name}"\nsize_m = {vec(*size)}\n{folds}position_m = {vec(*center)}\nrotation_deg = {vec(0, turn, 0)}\n'
+        f'cells = [{cells[0]}, {cells[1]}]\ndensity_kgpm2 = {density}\nstretch_Npm = {3300 * density:.0f}\nbend_Nm = {bend}\ndamping_s = 0.002\ndrag = 1.2\n'
         f'material = "{material}"\npins = [{", ".join(pins)}]')
 
 
@@ -293,6 +293,17 @@ for name, share, size, material, cells in [("sheet", 0.27, (1.2, 0.9), "linen", 
                                            ("cloth", 0.8, (0.6, 0.6), "curtain", (6, 6))]:
     cloth(f"washing_{name}", size, (LINE[0] + share * along[0], LINE_HIGH - size[1] / 2, LINE[1] + share * along[1]), LINE_TURN, material, cells,
           ["{ at = [0, 0] }", "{ at = [0.5, 0] }", "{ at = [1, 0] }"], density=0.6)  # wet
+
+heading("curtains: no wind blows in the house")
+put(f'\n[[wind_zone]]\nmin_m = {vec(*in_house(-plan.HX, plan.FLOOR, -plan.HZ))}\nmax_m = {vec(*in_house(plan.HX, plan.CEILING, plan.HZ))}\nwind_share = 0')
+width, folds, beside = plan.CURTAIN
+for wall in plan.OUTER:
+    for i, (u0, u1, y0, y1) in enumerate(wall.windows()):
+        height = y1 - y0 + plan.CURTAIN_ROD - 0.01
+        for side, u in (("left", u0 - beside + width / 2), ("right", u1 + beside - width / 2)):
+            cloth(f"curtain_{wall.name}_{i + 1}_{side}", (width / 0.6, height),
+                  in_house(*wall.place(u, y1 + plan.CURTAIN_ROD - height / 2, plan.CURTAIN_DEPTH)), wall.yaw_deg, "curtain", (2 * folds, 8),
+                  ['{ edge = "top" }'], density=0.25, bend="1e-7", folds=f"folds = {folds}\ngather = 0.6\n")
 
 put(f'\n[[water]]\nname = "pool"\nbasin = "fountain"\nlevel_m = 0.5')
 

@@ -19,7 +19,9 @@ namespace plumbline::physics {
 struct SheetDef {
     std::array<double, 2> size_m{1, 1};          ///< along its x and y
     std::array<std::uint32_t, 2> cells{20, 20};  ///< likewise, >= 1
-    Vec3d position_m{0, 0, 0};                   ///< of its middle
+    std::uint32_t folds{0};     ///< that it hangs in from the start, creased along y; 0: it is flat
+    double gather{1};           ///< of its width along x, what it takes up in folds; above 0
+    Vec3d position_m{0, 0, 0};  ///< of its middle
     Quatd orientation{1, 0, 0, 0};
     double density_kgpm2{0.2};
     double stretch_Npm{2000};  ///< force per width and engineering strain, along x and along y

@@ -14,12 +14,14 @@ Vec3d Air::at(const Vec3d& place, double time_s, double in_wind) const {
     Vec3d air_mps{0, 0, 0};
     if (!blows()) return air_mps;
     const Vec3 at(place);
-    if (scene_->wind) air_mps = Vec3d(scene::wind_at(*scene_->wind, at, time_s)) * in_wind;
     for (const scene::WindZone& zone : scene_->forces.wind_zones) {
-        if (glm::all(glm::greaterThanEqual(at, zone.min_m)) &&
-            glm::all(glm::lessThanEqual(at, zone.max_m)))
-            air_mps += Vec3d(zone.velocity_mps);
+        if (glm::any(glm::lessThan(at, zone.min_m)) || glm::any(glm::greaterThan(at, zone.max_m)))
+            continue;
+        air_mps += Vec3d(zone.velocity_mps);
+        in_wind *= static_cast<double>(zone.wind_share);
     }
+    if (scene_->wind && in_wind > 0)
+        air_mps += Vec3d(scene::wind_at(*scene_->wind, at, time_s)) * in_wind;
     return air_mps;
 }
 

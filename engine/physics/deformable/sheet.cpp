@@ -18,6 +18,16 @@ constexpr double kMostAcross_rad2 = 0.5;
 /// Of damping that forces bear: the share of its speed that the fastest bending mode loses in a sub-step.
 constexpr double kMostLag = 0.2;
 
+/// Where a point at `x_m` of the flat sheet begins: its folds are a triangle wave as long as the sheet is wide.
+Vec3d in_folds(const SheetDef& def, double x_m) {
+    if (def.folds == 0) return {x_m, 0, 0};
+    const double phase = (x_m / def.size_m[0] + 0.5) * def.folds;
+    const double from_crease = std::abs(2 * (phase - std::floor(phase)) - 1) - 0.5;
+    const double depth_m =
+        def.size_m[0] / (2 * def.folds) * std::sqrt(std::max(0.0, 1 - def.gather * def.gather));
+    return {x_m * def.gather, 0, depth_m * from_crease};
+}
+
 }  // namespace
 
 Sheet::Sheet(const SheetDef& def)
@@ -27,11 +37,11 @@ Sheet::Sheet(const SheetDef& def)
       def_(def) {
     for (std::uint32_t row = 0; row < rows_; ++row) {
         for (std::uint32_t column = 0; column < columns_; ++column) {
-            const Vec3d flat{
-                cell_m_[0] * column - def.size_m[0] / 2, def.size_m[1] / 2 - cell_m_[1] * row, 0};
+            const Vec3d place = in_folds(def, cell_m_[0] * column - def.size_m[0] / 2) +
+                                Vec3d{0, def.size_m[1] / 2 - cell_m_[1] * row, 0};
             const double share =
                 (column % (columns_ - 1) == 0 ? 0.5 : 1.0) * (row % (rows_ - 1) == 0 ? 0.5 : 1.0);
-            add_point(def.position_m + def.orientation * flat,
+            add_point(def.position_m + def.orientation * place,
                       def.density_kgpm2 * cell_m_[0] * cell_m_[1] * share);
         }
     }

@@ -22,8 +22,10 @@ struct ClothPinDescription {
 /// `[[cloth]]`.
 struct ClothDescription {
     std::string name;
-    std::array<double, 2> size_m{1, 1};         ///< along its x and y
-    Pose pose{};                                ///< of its middle, at the start
+    std::array<double, 2> size_m{1, 1};  ///< along its x and y
+    int folds{0};      ///< that it hangs in from the start, creased along its y; 0: it is flat
+    double gather{1};  ///< of its width, what it takes up in folds
+    Pose pose{};       ///< of its middle, at the start
     std::optional<std::array<int, 2>> cells{};  ///< none: by fidelity
     double density_kgpm2{0.2};
     double stretch_Npm{2000};           ///< force per width and engineering strain

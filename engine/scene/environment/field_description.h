@@ -34,11 +34,12 @@ struct Magnet {
     Vec3 moment_Am2{0, 0, 0};  ///< body frame
 };
 
-/// `[[wind_zone]]`: inside the box the air has this velocity on top of the wind's.
+/// `[[wind_zone]]`: inside the box the air has this velocity on top of the share of the wind that blows there.
 struct WindZone {
     Vec3 min_m{0, 0, 0};
     Vec3 max_m{0, 0, 0};
     Vec3 velocity_mps{0, 0, 0};
+    Real wind_share{1};  ///< 0: a closed room
     SourceLocation location{};
 };
 

@@ -51,6 +51,8 @@ Result<Done> Simulation::add_cloth(const ClothDescription& description) {
     const physics::SheetDef sheet_def{
         .size_m = description.size_m,
         .cells = cells,
+        .folds = static_cast<std::uint32_t>(description.folds),
+        .gather = description.gather,
         .position_m = Vec3d(description.pose.position),
         .orientation = Quatd(description.pose.orientation),
         .density_kgpm2 = description.density_kgpm2,

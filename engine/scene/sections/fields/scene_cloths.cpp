@@ -10,7 +10,8 @@ namespace plumbline::scene {
 namespace {
 
 constexpr std::size_t kCloths = 64;
-constexpr int kCells = 1000;       // along a side
+constexpr int kCells = 1000;  // along a side
+constexpr int kFolds = 100;
 constexpr int kAllCells = 40'000;  // more would take seconds a step
 
 constexpr Range kClothSize{1e-2, 1e3, "lengths from 0.01 to 1000 m"};
@@ -50,6 +51,16 @@ void read_cells(TableReader& table, ClothDescription& cloth) {
         table.error("cells", "{} in all; at most {} are simulated", all, kAllCells);
 }
 
+void read_folds(TableReader& table, ClothDescription& cloth) {
+    table.read("folds", cloth.folds, 0, kFolds);
+    if (cloth.folds > 0) {
+        table.require("gather", "the share of its width that the folds take up");
+    } else if (table.has("gather")) {
+        table.error("gather", "a flat cloth has none; say folds too");
+    }
+    table.read("gather", cloth.gather, {0.1_r, 1, "a share from 0.1 to 1"});
+}
+
 void read_cloth(TableReader& table, ClothDescription& cloth, const SceneNames& names) {
     cloth.name = read_name(table);
     table.require("size_m", "[x, y] in m");
@@ -57,6 +68,7 @@ void read_cloth(TableReader& table, ClothDescription& cloth, const SceneNames& n
         cloth.size_m = {static_cast<double>((*size)[0]), static_cast<double>((*size)[1])};
     cloth.pose = read_pose(table);
     read_cells(table, cloth);
+    read_folds(table, cloth);
     table.read("density_kgpm2", cloth.density_kgpm2, {1e-3, 1e4, "kg/m2 from 0.001 to 10000"});
     table.read("stretch_Npm", cloth.stretch_Npm, {1e-3, 1e9, "N/m from 0.001 to 1e9"});
     if (table.has("shear_Npm"))

@@ -41,8 +41,9 @@ void read_box(TableReader& table, T& box) {
 
 void read_wind_zone(TableReader& table, WindZone& zone) {
     read_box(table, zone);
-    table.require("velocity_mps", "[x, y, z] in m/s");
+    if (!table.has("wind_share")) table.require("velocity_mps", "[x, y, z] in m/s; or wind_share");
     table.read("velocity_mps", zone.velocity_mps, kSpeed_mps);
+    table.read("wind_share", zone.wind_share, {0, 1, "a share from 0 to 1"});
 }
 
 void read_probes(TableReader& table, std::vector<Vec2>& probes) {

@@ -39,7 +39,6 @@ TEST(GardenModels, house_keeps_its_materials_by_name) {
     for (const MaterialData& material : import.materials()) names.insert(material.name);
     EXPECT_EQ(names,
               (std::set<std::string>{"brick",
-                                     "curtain",
                                      "glass",
                                      "iron",
                                      "oak",
@@ -50,7 +49,7 @@ TEST(GardenModels, house_keeps_its_materials_by_name) {
                                      "vcol_plaster",
                                      "vcol_tiles",
                                      "wood"}));
-    EXPECT_EQ(import.mesh().sub_meshes.size(), 12U);
+    EXPECT_EQ(import.mesh().sub_meshes.size(), 11U);
 }
 
 TEST(GardenModels, trees_are_not_tinted_by_their_wind_weights_and_flowers_have_colours) {

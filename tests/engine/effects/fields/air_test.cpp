@@ -18,6 +18,19 @@ TEST(Air, ZonesBlowInsideTheirBox) {
     EXPECT_FALSE(Air(*run).blows());
 }
 
+TEST(Air, AShareOfTheWindBlowsInAZone) {
+    scene::SceneDescription scene = test::scene_of({});
+    scene.wind = scene::WindDescription{.direction = {1, 0, 0}, .speed_mps = 8, .gusts = 0};
+    scene.forces.wind_zones = {
+        {.min_m = {0, 0, 0}, .max_m = {2, 1, 1}, .wind_share = 0.5_r},
+        {.min_m = {1, 0, 0}, .max_m = {2, 1, 1}, .velocity_mps = {0, 0, 5}, .wind_share = 0}};
+    test::Running run(scene);
+    const Air air(*run);
+    EXPECT_NEAR(air.at({-1, 0.5, 0.5}, 0).x, 8, 1e-5);
+    EXPECT_NEAR(air.at({0.5, 0.5, 0.5}, 0).x, 4, 1e-5);
+    EXPECT_EQ(air.at({1.5, 0.5, 0.5}, 0), (Vec3d{0, 0, 5}));
+}
+
 TEST(Air, StandsStillWhereNothingBlows) {
     test::Running run(test::scene_of({}));
     EXPECT_FALSE(Air(*run).blows());

@@ -30,6 +30,34 @@ INSTANTIATE_TEST_SUITE_P(Sheets,
                          testing::Combine(testing::Values(10U, 20U),
                                           testing::Values(50.0, 1000.0)));
 
+// Hung in folds it is as wide along them as when flat, and stays in them where it does not resist bending.
+TEST(Sheet, InFoldsItIsAsWideAsWhenFlat) {
+    SheetDef def = strip(10, 1000);
+    def.size_m = {0.6, 1};
+    def.cells = {16, 10};
+    def.folds = 4;
+    def.gather = 0.6;
+    def.bend_Nm = 0;  // nothing opens them below
+    Sheet sheet(def);
+    const auto points_m = sheet.positions_m();
+    double width_m = 0;
+    double least_m = 0;
+    double most_m = 0;
+    for (std::uint32_t i = 0; i + 1 < sheet.columns(); ++i) {
+        width_m += glm::length(points_m[i + 1] - points_m[i]);
+        least_m = std::min(least_m, points_m[i].z);
+        most_m = std::max(most_m, points_m[i].z);
+    }
+    EXPECT_NEAR(width_m, 0.6, 1e-12);
+    EXPECT_NEAR(points_m[sheet.columns() - 1].x - points_m[0].x, 0.36, 1e-12);
+    EXPECT_NEAR(most_m - least_m, 0.8 * 0.6 / 8, 1e-12);  // of each flank, 0.8 across
+    EXPECT_NEAR(most_m, -least_m, 1e-12);
+    pin_top(sheet);
+    run_points(sheet, 300, kDown_mps2);
+    for (std::uint32_t i = 0; i < sheet.columns(); ++i)
+        EXPECT_NEAR(sheet.positions_m()[10 * sheet.columns() + i].x, points_m[i].x, 0.01) << i;
+}
+
 TEST(Sheet, FallsFreely) {
     Sheet sheet(strip(10, 500));
     run_points(sheet, 60, kDown_mps2);

@@ -11,7 +11,8 @@ const std::string kCloth = "[[cloth]]\nsize_m = [1, 0.6]\n";
 TEST_F(SceneFileTest, KeysOfAClothAreRead) {
     const Outcome outcome = load(
         "[[entity]]\nname = \"pole\"\nprimitive = { box = [1, 1, 1] }\n[entity.body]\n" + kCloth +
-        "name = \"flag\"\nposition_m = [1, 2, 3]\nrotation_deg = [0, 90, 0]\ncells = [10, 6]\n"
+        "name = \"flag\"\nposition_m = [1, 2, 3]\nrotation_deg = [0, 90, 0]\ncells = [10, "
+        "6]\nfolds = 5\ngather = 0.5\n"
         "density_kgpm2 = 0.3\nstretch_Npm = 900\nshear_Npm = 200\nbend_Nm = 0.01\n"
         "thickness_m = 0.01\nfriction = 0.7\ndamping_s = 0.1\ndrag = 2\ntear_Npm = 500\n"
         "pins = [{ at = [0, 0.5] }, { edge = \"right\", to = \"pole\" }]\n"
@@ -22,6 +23,8 @@ TEST_F(SceneFileTest, KeysOfAClothAreRead) {
     EXPECT_EQ(cloth.name, "flag");
     EXPECT_NEAR(cloth.size_m[1], 0.6, 1e-6);
     EXPECT_EQ(cloth.cells, (std::array{10, 6}));
+    EXPECT_EQ(cloth.folds, 5);
+    EXPECT_NEAR(cloth.gather, 0.5, 1e-6);
     EXPECT_NEAR(cloth.density_kgpm2, 0.3, 1e-6);
     EXPECT_NEAR(cloth.stretch_Npm, 900, 1e-6);
     EXPECT_NEAR(cloth.shear_Npm.value_or(0), 200, 1e-6);
@@ -55,7 +58,8 @@ TEST_F(SceneFileTest, FaultsOfClothsAreNamed) {
     const Outcome outcome = load(
         "[[cloth]]\n" + kCloth + "cells = [1000, 1000]\n" + kCloth + "cells = [2.5, 3]\n" + kCloth +
         "pins = [{ at = [0, 2] }, { edge = \"middle\" }, { to = \"pole\", at = [0, 0] }, { }]\n" +
-        kCloth + "name = \"a\"\ndensity_kgpm2 = 0\n" + kCloth + "name = \"a\"\n");
+        kCloth + "name = \"a\"\ndensity_kgpm2 = 0\n" + kCloth + "name = \"a\"\n" + kCloth +
+        "folds = 3\n" + kCloth + "gather = 0.5\n");
     EXPECT_FALSE(outcome.scene.ok());
     const std::string faults = fmt::format("{}", fmt::join(outcome.faults, "\n"));
     for (const char* part : {"size_m",
@@ -66,6 +70,8 @@ TEST_F(SceneFileTest, FaultsOfClothsAreNamed) {
                              "pole",
                              "or an edge",
                              "kg/m2 from 0.001",
+                             "the share of its width",
+                             "a flat cloth has none",
                              "is the name of another cloth"})
         EXPECT_NE(faults.find(part), std::string::npos) << part << "\n" << faults;
 }

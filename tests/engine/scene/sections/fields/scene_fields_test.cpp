@@ -118,7 +118,10 @@ TEST_F(SceneFileTest, FaultsOfFieldsAreNamed) {
               "scene.toml:4:12: error: water[0].probes_m: expected [x, z] in m for each place");
     EXPECT_EQ(
         fault("[[wind_zone]]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n"),
-        "scene.toml:1:1: error: wind_zone[0].velocity_mps: missing; expected [x, y, z] in m/s");
+        "scene.toml:1:1: error: wind_zone[0].velocity_mps: missing; expected [x, y, z] in m/s; or "
+        "wind_share");
+    EXPECT_EQ(fault("[[wind_zone]]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\nwind_share = 2\n"),
+              "scene.toml:4:14: error: wind_zone[0].wind_share: 2; expected a share from 0 to 1");
     EXPECT_EQ(fault("[[explosion]]\nposition_m = [0, 0, 0]\nimpulse_Ns = -5\n"),
               "scene.toml:3:14: error: explosion[0].impulse_Ns: -5; expected N s from 0 to 1e9");
     std::string many;
