@@ -17,13 +17,15 @@ namespace {
 /// All of a file that is there to be included.
 constexpr std::array<std::string_view, 3> kIncludedOnly{"scene", "material", "prefab"};
 
-/// Adds every .toml and .json below the folder, named but not read; of two with one name the earlier stays.
-void add_scene_files(const fs::path& root, bool is_users_own, std::vector<ListedScene>& files) {
+/// Adds every file with the ending below the folder, named but not read; of two with one name the earlier stays.
+void add_scene_files(const fs::path& root,
+                     std::string_view ending,
+                     bool is_users_own,
+                     std::vector<ListedScene>& files) {
     std::error_code failed;
     for (fs::recursive_directory_iterator entry(root, failed), end; !failed && entry != end;
          entry.increment(failed)) {
-        const fs::path extension = entry->path().extension();
-        if (extension != ".toml" && extension != ".json") continue;
+        if (entry->path().extension() != ending) continue;
         fs::path name = entry->path().lexically_relative(root);
         name.replace_extension();
         if (std::ranges::find(files, name.string(), &ListedScene::name) != files.end()) continue;
@@ -34,8 +36,12 @@ void add_scene_files(const fs::path& root, bool is_users_own, std::vector<Listed
 
 std::vector<ListedScene> scene_files(const SceneFolders& folders) {
     std::vector<ListedScene> files;
-    if (!folders.user_scenes.empty()) add_scene_files(folders.user_scenes, true, files);
-    add_scene_files(folders.assets / "scenes", false, files);
+    if (!folders.user_scenes.empty()) {
+        for (const std::string_view ending : kSceneEndings)
+            add_scene_files(folders.user_scenes, ending, true, files);
+    }
+    for (const std::string_view ending : kSceneEndings)
+        add_scene_files(folders.assets / "scenes", ending, false, files);
     const auto place_of = [](const ListedScene& scene) {
         const bool in_folder = scene.name.find('/') != std::string::npos;
         return std::tuple(scene.name != kFirstScene, in_folder, std::string_view(scene.name));
@@ -80,12 +86,19 @@ std::string_view start_of(std::string_view text) {
 constexpr std::string_view kBelowALine = "\n[goal]";
 constexpr std::string_view kGoalTable = kBelowALine.substr(1);
 
+/// Without physics it is a model, which a scene beside it may show.
+bool has_bodies(const fs::path& gltf) {
+    const Result<std::string> bytes = read_file(gltf, limits::kModelFileBytes);
+    return bytes && bytes->find("_rigid_bodies") != std::string::npos;  // with KHR_, KHR_physics
+}
+
 /// Fills in what the file says of itself. False when it is there to be included.
 bool read_heading(ListedScene& scene) {
-    if (scene.file.extension() == ".json") {
+    if (scene.file.extension() != ".toml") {
+        const bool is_json = scene.file.extension() == ".json";
         scene.title = scene.file.stem().string();
-        scene.description = "a JSON scene";
-        return true;
+        scene.description = is_json ? "a JSON scene" : "a glTF scene with physics";
+        return is_json || has_bodies(scene.file);
     }
     const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
     if (!text) return true;

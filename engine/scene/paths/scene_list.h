@@ -1,6 +1,7 @@
 // The scenes that a person can ask for by name: those below assets/scenes, and their own.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ struct SceneFolders {
     std::filesystem::path user_scenes;  ///< the person's; empty where there is no home
 };
 SceneFolders scene_folders(const std::filesystem::path& assets_folder);
+
+/// Of the files that a name stands for in a folder, the first of these that is there. glTF: with rigid bodies only, where scenes
+/// are listed.
+inline constexpr std::array<std::string_view, 4> kSceneEndings{".toml", ".json", ".glb", ".gltf"};
 
 /// A scene as play takes it by name.
 struct ListedScene {

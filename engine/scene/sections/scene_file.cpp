@@ -372,8 +372,8 @@ Result<fs::path> find_scene(const std::string& name, const SceneFolders& folders
     for (const fs::path& folder : {folders.user_scenes, scenes}) {
         if (folder.empty()) continue;
         candidates.push_back(folder / name);
-        candidates.push_back(folder / (name + ".toml"));
-        candidates.push_back(folder / (name + ".json"));
+        for (const std::string_view ending : kSceneEndings)
+            candidates.push_back(folder / (name + std::string(ending)));
     }
     candidates.emplace_back(name + ".toml");
     std::string oddity;  // what is there under that name, and is no scene

@@ -160,6 +160,27 @@ TEST(UserScenes, AreFoundByNameAndStandForShippedOnes) {
     EXPECT_FALSE(find_scene("pile-adopted", {folders.assets, {}}).ok());
 }
 
+// A level that was exported is a scene like one that was saved; a model that a scene shows is none.
+TEST(UserScenes, GltfFilesAreListedWhereBodiesMoveInThem) {
+    const test::TemporaryFolder folder;
+    const auto gltf = [](const char* extension) {
+        return fmt::format(R"({{"asset":{{"version":"2.0"}},"extensionsUsed":["{}"]}})", extension);
+    };
+    const fs::path level = folder.write("level.gltf", gltf("KHR_physics_rigid_bodies"));
+    folder.write("draft.glb", gltf("KHR_rigid_bodies"));
+    folder.write("chair.gltf", gltf("KHR_materials_unlit"));
+    const fs::path both = folder.write("both.toml", "[scene]\ntitle = \"both\"\n[sky]\n");
+    folder.write("both.gltf", gltf("KHR_physics_rigid_bodies"));
+    const SceneFolders folders{.assets = folder.path() / "assets", .user_scenes = folder.path()};
+    std::vector<std::string> titles;
+    for (const ListedScene& scene : list_scenes(folders)) titles.push_back(scene.title);
+    EXPECT_EQ(titles, (std::vector<std::string>{"both", "draft", "level"}));
+    const auto found = find_scene("level", folders);
+    ASSERT_TRUE(found.ok());
+    EXPECT_EQ(*found, level);
+    EXPECT_EQ(*find_scene("both", folders), both);
+}
+
 TEST(ShippedScenes, TheCubeHasEightMetresToFall) {
     std::string said;
     const auto scene = load_shipped(kScenes / "falling_cube.toml", said);
