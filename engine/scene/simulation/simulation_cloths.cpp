@@ -17,14 +17,15 @@ constexpr std::array kWork_ps{1.5e6, 3e6, 12e6};
 constexpr std::array kCellsAlong{10.0, 20.0, 40.0};
 constexpr double kFewestCells = 4;
 
-/// As many along the longer side as the fidelity asks for, and as long as wide.
+/// As many along the longer side as the fidelity asks for, and as long as wide; two a fold at least.
 std::array<std::uint32_t, 2> cells_of(const ClothDescription& cloth, std::size_t fidelity) {
     std::array<std::uint32_t, 2> cells{};
     const double cell_m = std::max(cloth.size_m[0], cloth.size_m[1]) / kCellsAlong[fidelity];
+    const std::array fewest{std::max(kFewestCells, 2.0 * cloth.folds), kFewestCells};
     for (std::size_t i = 0; i < 2; ++i)
         cells[i] = cloth.cells ? static_cast<std::uint32_t>((*cloth.cells)[i])
                                : static_cast<std::uint32_t>(
-                                     std::max(kFewestCells, std::round(cloth.size_m[i] / cell_m)));
+                                     std::max(fewest[i], std::round(cloth.size_m[i] / cell_m)));
     return cells;
 }
 

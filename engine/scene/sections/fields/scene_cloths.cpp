@@ -55,6 +55,9 @@ void read_folds(TableReader& table, ClothDescription& cloth) {
     table.read("folds", cloth.folds, 0, kFolds);
     if (cloth.folds > 0) {
         table.require("gather", "the share of its width that the folds take up");
+        if (cloth.cells && (*cloth.cells)[0] < 2 * cloth.folds)
+            table.error(
+                "folds", "{} of them need at least {} cells across", cloth.folds, 2 * cloth.folds);
     } else if (table.has("gather")) {
         table.error("gather", "a flat cloth has none; say folds too");
     }

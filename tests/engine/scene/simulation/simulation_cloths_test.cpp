@@ -44,6 +44,18 @@ TEST(SimulationCloths, CellsFollowFidelityOrTheFile) {
     EXPECT_EQ(sheet_of(run).positions_m().size(), 12U);
 }
 
+TEST(SimulationCloths, EachFoldHasTwoCells) {
+    SceneDescription scene = scene_of({});
+    scene.forces.cloths = {flag()};
+    scene.forces.cloths.front().folds = 12;
+    scene.forces.cloths.front().gather = 0.5;
+    Running run(scene);
+    const auto points_m = sheet_of(run).positions_m();
+    EXPECT_EQ(sheet_of(run).columns(), 25U);
+    EXPECT_NEAR(points_m[24].x - points_m[0].x, 0.5, 1e-9);
+    EXPECT_NEAR(glm::distance(points_m[0], points_m[1]), 1.0 / 24, 1e-9);
+}
+
 TEST(SimulationCloths, PinsHoldPointsAndEdges) {
     SceneDescription scene = scene_of({cube("pole", {-1, 2, 0})});
     ClothDescription cloth = flag();

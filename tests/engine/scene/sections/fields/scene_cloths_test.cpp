@@ -59,7 +59,8 @@ TEST_F(SceneFileTest, FaultsOfClothsAreNamed) {
         "[[cloth]]\n" + kCloth + "cells = [1000, 1000]\n" + kCloth + "cells = [2.5, 3]\n" + kCloth +
         "pins = [{ at = [0, 2] }, { edge = \"middle\" }, { to = \"pole\", at = [0, 0] }, { }]\n" +
         kCloth + "name = \"a\"\ndensity_kgpm2 = 0\n" + kCloth + "name = \"a\"\n" + kCloth +
-        "folds = 3\n" + kCloth + "gather = 0.5\n");
+        "folds = 3\n" + kCloth + "gather = 0.5\n" + kCloth +
+        "cells = [5, 9]\nfolds = 3\ngather = 0.5\n");
     EXPECT_FALSE(outcome.scene.ok());
     const std::string faults = fmt::format("{}", fmt::join(outcome.faults, "\n"));
     for (const char* part : {"size_m",
@@ -72,6 +73,7 @@ TEST_F(SceneFileTest, FaultsOfClothsAreNamed) {
                              "kg/m2 from 0.001",
                              "the share of its width",
                              "a flat cloth has none",
+                             "3 of them need at least 6 cells",
                              "is the name of another cloth"})
         EXPECT_NE(faults.find(part), std::string::npos) << part << "\n" << faults;
 }
