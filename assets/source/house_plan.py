@@ -22,7 +22,7 @@ ROOM_DOOR_LEAF = (0.81, 1.945, 0.04)
 DOOR_FRAME = 0.045                  # its thickness on either side
 SHUTTER = (0.46, 1.21, 0.035)
 GLASS_DEPTH = 0.15                  # of the panes, behind the wall's outer face
-CURTAIN = (0.34, 3, 0.2)            # as it hangs in folds: width, folds, how much of it is beside the window
+CURTAIN = (0.34, 3, 0.6, 0.2)       # as it hangs in folds: width, folds, its share of the flat width, how much is beside the window
 CURTAIN_ROD = 0.12                  # above the window
 CURTAIN_DEPTH = THICK + 0.075       # of rod and cloth, behind the wall's outer face
 

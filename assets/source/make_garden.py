@@ -296,14 +296,14 @@ for name, share, size, material, cells in [("sheet", 0.27, (1.2, 0.9), "linen", 
 
 heading("curtains: no wind blows in the house")
 put(f'\n[[wind_zone]]\nmin_m = {vec(*in_house(-plan.HX, plan.FLOOR, -plan.HZ))}\nmax_m = {vec(*in_house(plan.HX, plan.CEILING, plan.HZ))}\nwind_share = 0')
-width, folds, beside = plan.CURTAIN
+width, folds, gather, beside = plan.CURTAIN
 for wall in plan.OUTER:
     for i, (u0, u1, y0, y1) in enumerate(wall.windows()):
         height = y1 - y0 + plan.CURTAIN_ROD - 0.01
         for side, u in (("left", u0 - beside + width / 2), ("right", u1 + beside - width / 2)):
-            cloth(f"curtain_{wall.name}_{i + 1}_{side}", (width / 0.6, height),
+            cloth(f"curtain_{wall.name}_{i + 1}_{side}", (width / gather, height),
                   in_house(*wall.place(u, y1 + plan.CURTAIN_ROD - height / 2, plan.CURTAIN_DEPTH)), wall.yaw_deg, "curtain", (2 * folds, 8),
-                  ['{ edge = "top" }'], density=0.25, bend="1e-7", folds=f"folds = {folds}\ngather = 0.6\n")
+                  ['{ edge = "top" }'], density=0.25, bend="1e-7", folds=f"folds = {folds}\ngather = {gather}\n")
 
 put(f'\n[[water]]\nname = "pool"\nbasin = "fountain"\nlevel_m = 0.5')
 

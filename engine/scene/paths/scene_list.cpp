@@ -17,31 +17,35 @@ namespace {
 /// All of a file that is there to be included.
 constexpr std::array<std::string_view, 3> kIncludedOnly{"scene", "material", "prefab"};
 
-/// Adds every file with the ending below the folder, named but not read; of two with one name the earlier stays.
-void add_scene_files(const fs::path& root,
-                     std::string_view ending,
-                     bool is_users_own,
-                     std::vector<ListedScene>& files) {
+/// Adds every scene below the folder, named but not read; of two with one name the earlier stays, in one folder by kSceneEndings.
+void add_scene_files(const fs::path& root, bool is_users_own, std::vector<ListedScene>& files) {
+    const auto place_of_ending = [](const ListedScene& scene) {
+        return std::ranges::find(kSceneEndings, scene.file.extension().string()) -
+               kSceneEndings.begin();
+    };
+    std::vector<ListedScene> found;
     std::error_code failed;
     for (fs::recursive_directory_iterator entry(root, failed), end; !failed && entry != end;
          entry.increment(failed)) {
-        if (entry->path().extension() != ending) continue;
+        if (std::ranges::find(kSceneEndings, entry->path().extension().string()) ==
+            kSceneEndings.end())
+            continue;
         fs::path name = entry->path().lexically_relative(root);
         name.replace_extension();
-        if (std::ranges::find(files, name.string(), &ListedScene::name) != files.end()) continue;
-        files.push_back(
+        found.push_back(
             {.name = name.string(), .file = entry->path(), .is_users_own = is_users_own});
+    }
+    std::ranges::sort(found, std::ranges::less{}, place_of_ending);
+    for (ListedScene& scene : found) {
+        if (std::ranges::find(files, scene.name, &ListedScene::name) == files.end())
+            files.push_back(std::move(scene));
     }
 }
 
 std::vector<ListedScene> scene_files(const SceneFolders& folders) {
     std::vector<ListedScene> files;
-    if (!folders.user_scenes.empty()) {
-        for (const std::string_view ending : kSceneEndings)
-            add_scene_files(folders.user_scenes, ending, true, files);
-    }
-    for (const std::string_view ending : kSceneEndings)
-        add_scene_files(folders.assets / "scenes", ending, false, files);
+    if (!folders.user_scenes.empty()) add_scene_files(folders.user_scenes, true, files);
+    add_scene_files(folders.assets / "scenes", false, files);
     const auto place_of = [](const ListedScene& scene) {
         const bool in_folder = scene.name.find('/') != std::string::npos;
         return std::tuple(scene.name != kFirstScene, in_folder, std::string_view(scene.name));
