@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct DeformableDef {
     SurfaceTraits surface{};
     bool self_collision{false};
     double substeps_per_s{6000};  ///< at most
+    bool asleep{false};           ///< at the start: as it is it hangs or lies still
     std::vector<DeformablePin> pins{};
 };
 
@@ -166,10 +168,11 @@ private:
     std::vector<NearBody> near_;
     std::vector<BodyId> movable_;
     std::vector<Expected> expected_;
-    std::vector<Load> loads_;   ///< when they fell asleep
-    std::vector<Load> felt_;    ///< in the latest step
-    std::vector<Load> borne_;   ///< by what is kinematic, when it last was awake
-    std::vector<BodyId> seen_;  ///< what was near in the step before
+    std::vector<Load> loads_;  ///< when they fell asleep
+    std::vector<Load> felt_;   ///< in the latest step
+    std::vector<Load> borne_;  ///< by what is kinematic, when it last was awake
+    std::optional<std::vector<BodyId>>
+        seen_;  ///< what was near in the step before, if it knows one
     SurfaceContacts contacts_;
     std::unique_ptr<PartContacts> self_contacts_;  ///< of one that touches itself; else null
     bool is_stirred_{false};

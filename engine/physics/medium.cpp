@@ -66,17 +66,37 @@ std::optional<BallContact> near_mesh(
     return nearest;
 }
 
-/// `local`: the ball's centre in the mass frame; `body`: where that is, seen from the ball's centre.
-std::optional<BallContact> near_parts(const BodyGeometry& geometry,
-                                      const Transform& body,
-                                      const Vec3d& local,
-                                      double radius_m,
-                                      double reach_m) {
+}  // namespace
+
+BallSearch::BallSearch(const PhysicsWorld& world,
+                       BodyId id,
+                       const MassFrame& at,
+                       const Vec3d& low_m,
+                       const Vec3d& high_m)
+    : geometry_(*internals(world).body(id).traits.geometry),
+      at_(at),
+      rotation_(glm::mat3_cast(at.world_from_mass)) {
+    const Transform body{.rotation = rotation_};
+    const Bounds local = moved({low_m - at.center_m, high_m - at.center_m}, inverse(body));
+    for (std::uint32_t i = 0; i < geometry_.parts.size(); ++i) {
+        if (overlap(local, geometry_.parts[i].bounds)) parts_.push_back(i);
+    }
+}
+
+bool BallSearch::has_mesh() const {
+    return geometry_.mesh != nullptr;
+}
+
+std::optional<BallContact> BallSearch::nearest_part(const Transform& body,
+                                                    const Vec3d& local,
+                                                    double radius_m,
+                                                    double reach_m) const {
     const ConvexShape ball{.kind = ConvexShape::Kind::Sphere,
                            .radius_m = static_cast<Real>(radius_m)};
     const double far_m = radius_m + reach_m;
     std::optional<BallContact> nearest;
-    for (const GeometryPart& part : geometry.parts) {
+    for (const std::uint32_t number : parts_) {
+        const GeometryPart& part = geometry_.parts[number];
         if (glm::any(glm::lessThan(local, part.bounds.low - far_m)) ||
             glm::any(glm::greaterThan(local, part.bounds.high + far_m)))
             continue;
@@ -94,26 +114,19 @@ std::optional<BallContact> near_parts(const BodyGeometry& geometry,
     return nearest;
 }
 
-}  // namespace
-
-std::optional<BallContact> ball_contact(const PhysicsWorld& world,
-                                        BodyId id,
-                                        const MassFrame& at,
-                                        const Vec3d& ball_m,
-                                        double radius_m,
-                                        double reach_m) {
-    const BodyGeometry& geometry = *internals(world).body(id).traits.geometry;
-    const Mat3 rotation(glm::mat3_cast(at.world_from_mass));
-    if (geometry.mesh)
-        return near_mesh(*geometry.mesh,
-                         {.rotation = rotation, .position_m = Vec3(at.center_m)},
+std::optional<BallContact> BallSearch::nearest(const Vec3d& ball_m,
+                                               double radius_m,
+                                               double reach_m) const {
+    if (has_mesh())
+        return near_mesh(*geometry_.mesh,
+                         {.rotation = rotation_, .position_m = Vec3(at_.center_m)},
                          ball_m,
                          radius_m,
                          reach_m);
     // Near the origin, where single precision has its digits.
-    const Transform body{.rotation = rotation, .position_m = Vec3(at.center_m - ball_m)};
-    const Vec3d local = glm::conjugate(at.world_from_mass) * (ball_m - at.center_m);
-    std::optional<BallContact> nearest = near_parts(geometry, body, local, radius_m, reach_m);
+    const Transform body{.rotation = rotation_, .position_m = Vec3(at_.center_m - ball_m)};
+    const Vec3d local = glm::conjugate(at_.world_from_mass) * (ball_m - at_.center_m);
+    std::optional<BallContact> nearest = nearest_part(body, local, radius_m, reach_m);
     if (nearest) nearest->on_body_m += ball_m;
     return nearest;
 }

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "engine/physics/body.h"
+#include "engine/physics/transform.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace plumbline::physics {
 
 class PhysicsWorld;
+struct BodyGeometry;
 
 /// Of the mass of displaced water or air: what moves along with a ball (Lamb, Hydrodynamics, 92); taken for all shapes.
 inline constexpr double kAddedShare = 0.5;
@@ -50,14 +54,34 @@ struct BallContact {
     double distance_m{0};  ///< of the surfaces; negative: penetration
 };
 
-/// The nearest place of a body whose mass frame is there to a ball; none farther off than `reach_m`. A mesh is solid below the
-/// fronts of its triangles, down to `reach_m`.
-std::optional<BallContact> ball_contact(const PhysicsWorld& world,
-                                        BodyId id,
-                                        const MassFrame& at,
-                                        const Vec3d& ball_m,
-                                        double radius_m,
-                                        double reach_m);
+/// Looks for the places of a body that are nearest to balls. A mesh is solid below the fronts of its triangles, as far down as a
+/// ball reaches.
+class BallSearch {
+public:
+    /// The body's mass frame is at `at`. No ball reaches out of the box from `low_m` to `high_m`, world.
+    BallSearch(const PhysicsWorld& world,
+               BodyId id,
+               const MassFrame& at,
+               const Vec3d& low_m,
+               const Vec3d& high_m);
+    /// Nothing of the body is in the box.
+    bool finds_nothing() const { return parts_.empty() && !has_mesh(); }
+    /// None farther off than `reach_m`.
+    std::optional<BallContact> nearest(const Vec3d& ball_m, double radius_m, double reach_m) const;
+
+private:
+    bool has_mesh() const;
+    /// `local`: the ball's centre in the mass frame; `body`: where that is, seen from the ball's centre.
+    std::optional<BallContact> nearest_part(const Transform& body,
+                                            const Vec3d& local,
+                                            double radius_m,
+                                            double reach_m) const;
+
+    const BodyGeometry& geometry_;
+    MassFrame at_;
+    Mat3 rotation_;
+    std::vector<std::uint32_t> parts_;  ///< in the box
+};
 
 /// The coefficient of a body's material.
 double friction_of(const PhysicsWorld& world, BodyId id);

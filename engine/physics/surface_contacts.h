@@ -48,7 +48,6 @@ struct NearBody {
         nullptr};  ///< of another deforming body that takes its sub-steps along; null: its own
     SurfaceMotion belt{};
     double friction{0};
-    double radius_m{0};       ///< of one that moves
     std::uint32_t places{1};  ///< along a cell's side that may touch it
     bool touches{true};       ///< else it only holds pins
     bool can_wake{false};     ///< asleep, and dynamic
@@ -97,12 +96,6 @@ private:
         Vec3d rubbed_Ns{0, 0, 0};
     };
 
-    void add(const PhysicsWorld& world,
-             const PointBody& body,
-             std::span<const NearBody> near,
-             std::uint32_t number,
-             double thickness_m,
-             double seconds);
     static void solve_one(Contact& contact, PointBody& body, NearBody& near, double h);
 
     std::vector<Contact> contacts_;

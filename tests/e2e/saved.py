@@ -55,7 +55,7 @@ def what_is_no_saved_game_is_refused_and_named(folder, environment):
     refused("head.save", bytes_[:20], "a saved game cut short: 20 bytes, its head alone has 28")
     refused("empty.save", b"", "no saved game: it does not begin with \"PLUMSAVE\"")
     refused("text.save", b"hello there, this is no saved game", "no saved game")
-    refused("newer.save", bytes_[:8] + b"\x0c" + bytes_[9:], "a saved game of format 12; this program reads format 11")
+    refused("newer.save", bytes_[:8] + b"\x0d" + bytes_[9:], "a saved game of format 13; this program reads format 12")
     refused("flipped.save", bytes_[:5000] + bytes([bytes_[5000] ^ 1]) + bytes_[5001:],
             "a damaged saved game: its checksum is ")
     run("simulate", "pile", "--load", folder / "none.save", environment=environment, code=4, says="none.save")

@@ -13,7 +13,7 @@
 
 namespace plumbline {
 
-inline constexpr std::uint32_t kSavedFormat = 11;
+inline constexpr std::uint32_t kSavedFormat = 12;
 inline constexpr std::size_t kSavedFileBytes = 512ULL * 1024 * 1024;
 
 /// The content within its shell.

@@ -153,14 +153,14 @@ private:
 
     static bool holds(const scene::Simulation& simulation, BodyId body, const Vec3& point_m) {
         const physics::BodyState state = simulation.physics.state(body);
-        const auto touch =
-            physics::ball_contact(simulation.physics,
-                                  body,
-                                  {Vec3d(state.center_of_mass_world()),
-                                   physics::world_from_mass(simulation.physics, body)},
-                                  Vec3d(point_m),
-                                  kPoint_m,
-                                  kPoint_m);
+        const Vec3d at_m(point_m);
+        const physics::BallSearch search(simulation.physics,
+                                         body,
+                                         {Vec3d(state.center_of_mass_world()),
+                                          physics::world_from_mass(simulation.physics, body)},
+                                         at_m - 2 * kPoint_m,
+                                         at_m + 2 * kPoint_m);
+        const auto touch = search.nearest(at_m, kPoint_m, kPoint_m);
         return touch && touch->distance_m < 0;
     }
 

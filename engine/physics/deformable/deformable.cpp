@@ -59,6 +59,11 @@ Deformable::Deformable(const PhysicsWorld& world,
     : body_(std::move(body)), def_(def) {
     def_.pins.clear();
     if (def.self_collision) self_contacts_ = std::make_unique<PartContacts>(*body_, def_.surface);
+    if (def.asleep) {
+        const auto places_m = body_->positions_m();
+        rest_ = {
+            .places_m = {places_m.begin(), places_m.end()}, .calm_s = 2 * kCalm_s, .asleep = true};
+    }
     for (const DeformablePin& pin : def.pins) {
         if (body_->inverse_mass(pin.point) == 0) continue;
         body_->pin(pin.point);
@@ -118,7 +123,8 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
         seen.push_back(near.id);
         disturbed = disturbed || near.carries();
     }
-    disturbed = disturbed || seen != seen_;
+    // What sleeps at the start knows what it hangs beside.
+    disturbed = disturbed || (seen_ ? seen != *seen_ : !def_.asleep);
     seen_ = std::move(seen);
     note_rest(step_s, disturbed);
 }
@@ -191,7 +197,6 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
     const Vec3d arm = near.own.center_m - Vec3d(state.world_from_body.position);
     if (state.kind != BodyKind::Static) {
         near.own.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.own.spin_radps, arm);
-        near.radius_m = radius_m(world, id);
     }
     near.is_kinematic = state.kind == BodyKind::Kinematic;
     near.belt = surface_motion(world, id);

@@ -83,6 +83,7 @@ void Deformables::find_touches() {
             Deformable& b = *bodies_[j];
             if (touch_of(a, b) != nullptr || !is_near(a, b)) continue;
             add_touch(a, b);
+            if (a.is_asleep() && b.is_asleep()) continue;  // as they do at the start
             a.disturb();
             b.disturb();
         }

@@ -83,42 +83,34 @@ void SurfaceContacts::find(const PhysicsWorld& world,
                            double thickness_m,
                            double seconds) {
     contacts_.clear();
+    const PointBounds bounds = bounds_of(body.positions_m());
+    double fastest2_m2ps2 = 0;
+    for (const Vec3d& v : body.velocities_mps())
+        fastest2_m2ps2 = std::max(fastest2_m2ps2, glm::dot(v, v));
     for (std::uint32_t i = 0; i < near.size(); ++i) {
-        if (near[i].touches && world.contains(near[i].id))
-            add(world, body, near, i, thickness_m, seconds);
-    }
-}
-
-void SurfaceContacts::add(const PhysicsWorld& world,
-                          const PointBody& body,
-                          std::span<const NearBody> all,
-                          std::uint32_t number,
-                          double thickness_m,
-                          double seconds) {
-    const NearBody& near = all[number];
-    const NearMotion& motion = near.motion();
-    Vec3 low(motion.center_m - near.radius_m);
-    Vec3 high(motion.center_m + near.radius_m);
-    if (near.radius_m == 0) bounds(world, near.id, low, high);
-    const double moved_m = glm::length(motion.velocity_mps) * seconds;
-    const double radius_m = thickness_m / 2;
-    const auto [found, is_new] = places_.try_emplace(near.places);
-    if (is_new) found->second = body.places(near.places);
-    for (const SurfacePlace& place : found->second) {
-        const Vec3d at = mean_of(body.positions_m(), place);
-        const Vec3d velocity = mean_of(body.velocities_mps(), place);
-        const double reach_m = thickness_m + moved_m + glm::length(velocity) * seconds + kReach_m;
-        if (glm::any(glm::lessThan(at, Vec3d(low) - reach_m)) ||
-            glm::any(glm::greaterThan(at, Vec3d(high) + reach_m)))
-            continue;
-        const auto touch = ball_contact(
-            world, near.id, {motion.center_m, motion.world_from_mass}, at, radius_m, reach_m);
-        if (!touch) continue;
-        contacts_.push_back({.near = number,
-                             .place = place,
-                             .normal = touch->normal,
-                             .arm_m = touch->on_body_m - motion.center_m,
-                             .gap_m = touch->distance_m});
+        if (!near[i].touches || !world.contains(near[i].id)) continue;
+        const NearMotion& motion = near[i].motion();
+        const double reach_m = thickness_m + glm::length(motion.velocity_mps) * seconds + kReach_m;
+        const double most_m = reach_m + thickness_m / 2 + std::sqrt(fastest2_m2ps2) * seconds;
+        const BallSearch search(world,
+                                near[i].id,
+                                {motion.center_m, motion.world_from_mass},
+                                bounds.low_m - most_m,
+                                bounds.high_m + most_m);
+        if (search.finds_nothing()) continue;
+        const auto [places, is_new] = places_.try_emplace(near[i].places);
+        if (is_new) places->second = body.places(near[i].places);
+        for (const SurfacePlace& place : places->second) {
+            const double moved_m = glm::length(mean_of(body.velocities_mps(), place)) * seconds;
+            const auto touch = search.nearest(
+                mean_of(body.positions_m(), place), thickness_m / 2, reach_m + moved_m);
+            if (!touch) continue;
+            contacts_.push_back({.near = i,
+                                 .place = place,
+                                 .normal = touch->normal,
+                                 .arm_m = touch->on_body_m - motion.center_m,
+                                 .gap_m = touch->distance_m});
+        }
     }
 }
 

@@ -36,6 +36,7 @@ struct ClothDescription {
     double damping_s{0};
     double drag{1.2};  ///< coefficient across the air; 0: none
     bool self_collision{false};
+    bool asleep{false};  ///< at the start
     double tear_Npm{0};  ///< 0: never
     std::vector<ClothPinDescription> pins;
     std::string material;  ///< what it looks like

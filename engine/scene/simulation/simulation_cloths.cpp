@@ -68,6 +68,7 @@ Result<Done> Simulation::add_cloth(const ClothDescription& description) {
         .surface = {.thickness_m = description.thickness_m, .friction = description.friction},
         .self_collision = description.self_collision,
         .substeps_per_s = kWork_ps[fidelity] / ((cells[0] + 1) * (cells[1] + 1)),
+        .asleep = description.asleep,
         .pins = {}};
     for (const ClothPinDescription& pin : description.pins) {
         const auto holder = holder_of(pin.to, "cloth " + description.name, description.location);

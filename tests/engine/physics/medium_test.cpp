@@ -60,17 +60,19 @@ TEST(Medium, TurnedMassFramesAreTurnedBack) {
 // Parts of a body and triangles of a mesh, from outside and within.
 TEST(Medium, BallsFindTheNearestPlaceOfABody) {
     TestWorld test;
-    const Quatd straight{1, 0, 0, 0};
+    const auto search = [&](BodyId body, const Vec3d& center_m) {
+        return BallSearch(
+            test.world, body, {center_m, {1, 0, 0, 0}}, center_m - Vec3d{3}, center_m + Vec3d{3});
+    };
     const BodyId box = test.add(BoxShape{{2, 1, 2}}, {0, 5, 0}, {.kind = BodyKind::Static});
-    const auto above =
-        ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 5.8, 0}, 0.1, 0.5);
+    const BallSearch of_box = search(box, {0, 5, 0});
+    const auto above = of_box.nearest({0.5, 5.8, 0}, 0.1, 0.5);
     ASSERT_TRUE(above);
     EXPECT_NEAR(above->distance_m, 0.2, 1e-6);
     EXPECT_NEAR(above->normal.y, 1, 1e-6);
     EXPECT_NEAR(above->on_body_m.y, 5.5, 1e-6);
-    EXPECT_FALSE(ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 6.3, 0}, 0.1, 0.5));
-    const auto within =
-        ball_contact(test.world, box, {{0, 5, 0}, straight}, {0.5, 5.4, 0}, 0.1, 0.5);
+    EXPECT_FALSE(of_box.nearest({0.5, 6.3, 0}, 0.1, 0.5));
+    const auto within = of_box.nearest({0.5, 5.4, 0}, 0.1, 0.5);
     ASSERT_TRUE(within);
     EXPECT_NEAR(within->distance_m, -0.2, 1e-5);
     EXPECT_NEAR(within->normal.y, 1, 1e-6);
@@ -79,18 +81,34 @@ TEST(Medium, BallsFindTheNearestPlaceOfABody) {
                            .triangles = {{0, 2, 1}, {0, 3, 2}}},
                  {0, 1, 0},
                  {.kind = BodyKind::Static});
-    const auto over =
-        ball_contact(test.world, mesh, {{0, 1, 0}, straight}, {0.5, 1.3, 0}, 0.1, 0.5);
+    const BallSearch of_mesh = search(mesh, {0, 1, 0});
+    const auto over = of_mesh.nearest({0.5, 1.3, 0}, 0.1, 0.5);
     ASSERT_TRUE(over);
     EXPECT_NEAR(over->distance_m, 0.2, 1e-6);
     EXPECT_NEAR(over->normal.y, 1, 1e-6);
-    const auto under =
-        ball_contact(test.world, mesh, {{0, 1, 0}, straight}, {0.5, 0.9, 0}, 0.1, 0.5);
+    const auto under = of_mesh.nearest({0.5, 0.9, 0}, 0.1, 0.5);
     ASSERT_TRUE(under);
     EXPECT_NEAR(under->distance_m, -0.2, 1e-6);
     EXPECT_NEAR(under->normal.y, 1, 1e-6);
     EXPECT_NEAR(friction_of(test.world, box), 0.5, 1e-6);
     EXPECT_NEAR(thinnest_half_m(test.world, box), 0.5, 1e-3);
+}
+
+TEST(Medium, BallsMeetThePartsWithinTheirBoxOnly) {
+    TestWorld test;
+    CompoundShape two;
+    for (const Real x : {Real{-3}, Real{3}})
+        two.children.push_back(
+            {.shape = BoxShape{{1, 1, 1}}, .body_from_child = {.position = {x, 0, 0}}});
+    const BodyId body = test.add(two, {0, 5, 0}, {.kind = BodyKind::Static});
+    const auto search = [&](const Vec3d& low_m, const Vec3d& high_m) {
+        return BallSearch(test.world, body, {{0, 5, 0}, {1, 0, 0, 0}}, low_m, high_m);
+    };
+    const BallSearch left = search({-4, 4, -1}, {-2, 7, 1});
+    EXPECT_TRUE(left.nearest({-3, 5.8, 0}, 0.1, 0.5));
+    EXPECT_FALSE(left.nearest({3, 5.8, 0}, 0.1, 0.5));
+    EXPECT_FALSE(left.finds_nothing());
+    EXPECT_TRUE(search({-1, 4, -1}, {1, 6, 1}).finds_nothing());
 }
 
 TEST(Medium, SurfacesOfBeltsMoveAlongAndAboutTheCentreOfMass) {

@@ -82,6 +82,7 @@ void read_cloth(TableReader& table, ClothDescription& cloth, const SceneNames& n
     table.read("damping_s", cloth.damping_s, {0, 1e3, "a time from 0 to 1000 s"});
     table.read("drag", cloth.drag, {0, 100, "a coefficient from 0 to 100"});
     table.read("self_collision", cloth.self_collision);
+    table.read("asleep", cloth.asleep);
     table.read("tear_Npm", cloth.tear_Npm, kClothStiffness);
     table.read("material", cloth.material);
     table.read_tables("pins", cloth.pins, read_pin, names);

@@ -82,6 +82,28 @@ TEST(DeformableEffect, SleepsAndCostsNothingThen) {
     EXPECT_EQ(line_of(effects, "cloth").calls, calls);
 }
 
+// Two curtains that hang against each other, drawn out by nothing yet.
+TEST(DeformableEffect, SleepsFromTheStartUntilItIsStruck) {
+    SceneDescription scene = curtain();
+    scene.entities.pop_back();
+    scene::ClothDescription& sheet = scene.forces.cloths.front();
+    sheet.pose.orientation = {1, 0, 0, 0};
+    sheet.asleep = true;
+    scene.forces.cloths.push_back(sheet);
+    scene.forces.cloths.back().name = "other";
+    scene.forces.cloths.back().pose.position.z += 0.004_r;
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    const Vec3d start = low_end(run);
+    run.step(60, effects);
+    EXPECT_EQ(line_of(effects, "cloth").calls, 0U);
+    EXPECT_EQ(low_end(run), start);
+    run->cloths().front().body->strike(60, {0, 0, 1e-3});
+    run.step(2, effects);
+    for (const auto& cloth : run->cloths()) EXPECT_FALSE(cloth.body->is_asleep()) << cloth.name;
+    EXPECT_LT(low_end(run).y, start.y);
+}
+
 /// Each of the two effects by itself, and both together.
 TEST(DeformableEffect, ClothTouchesASoftBodyWhileBothAreCalledFor) {
     SceneDescription scene = curtain();

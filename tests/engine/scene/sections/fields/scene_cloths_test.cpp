@@ -42,8 +42,9 @@ TEST_F(SceneFileTest, KeysOfAClothAreRead) {
 }
 
 TEST_F(SceneFileTest, ClothsHaveTheirUsualNumbers) {
-    const Outcome outcome = load(
-        kCloth + kCloth + "pins = [{ edge = \"top\", to = \"world\" }]\nself_collision = true\n");
+    const Outcome outcome =
+        load(kCloth + kCloth +
+             "pins = [{ edge = \"top\", to = \"world\" }]\nself_collision = true\nasleep = true\n");
     ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
     EXPECT_EQ(outcome.scene->forces.cloths[0].name, "cloth#1");
     EXPECT_FALSE(outcome.scene->forces.cloths[0].shear_Npm);
@@ -51,6 +52,8 @@ TEST_F(SceneFileTest, ClothsHaveTheirUsualNumbers) {
     EXPECT_EQ(outcome.scene->forces.cloths[1].pins[0].to, "");
     EXPECT_FALSE(outcome.scene->forces.cloths[0].self_collision);
     EXPECT_TRUE(outcome.scene->forces.cloths[1].self_collision);
+    EXPECT_FALSE(outcome.scene->forces.cloths[0].asleep);
+    EXPECT_TRUE(outcome.scene->forces.cloths[1].asleep);
     EXPECT_TRUE(outcome.faults.empty());
 }
 
