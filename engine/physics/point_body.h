@@ -153,6 +153,7 @@ struct PointBounds {
     Vec3d high_m{0, 0, 0};
 };
 PointBounds bounds_of(std::span<const Vec3d> points_m);
+double fastest_mps(std::span<const Vec3d> velocities_mps);
 
 /// A pinned point, so fast.
 void lead(PointBody& body, std::size_t point, const Vec3d& velocity_mps);

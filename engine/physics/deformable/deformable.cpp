@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
@@ -36,10 +36,6 @@ constexpr double kMargin_m = 0.02;
 /// Bodies are looked for so far off: at 60 Hz those up to 180 m/s.
 constexpr double kAhead_m = 3;
 
-double squared(const Vec3d& v) {
-    return glm::dot(v, v);
-}
-
 /// Whether its motion may bring a body's box to the other one within the time.
 bool may_reach(
     const PhysicsWorld& world, BodyId id, const Vec3d& low, const Vec3d& high, double seconds) {
@@ -56,14 +52,13 @@ bool may_reach(
 Deformable::Deformable(const PhysicsWorld& world,
                        std::unique_ptr<PointBody> body,
                        const DeformableDef& def)
-    : body_(std::move(body)), def_(def) {
+    : body_(std::move(body)),
+      def_(def),
+      rest_{.places_m = {body_->positions_m().begin(), body_->positions_m().end()},
+            .calm_s = def.asleep ? 2 * kCalm_s : 0,
+            .asleep = def.asleep} {
     def_.pins.clear();
     if (def.self_collision) self_contacts_ = std::make_unique<PartContacts>(*body_, def_.surface);
-    if (def.asleep) {
-        const auto places_m = body_->positions_m();
-        rest_ = {
-            .places_m = {places_m.begin(), places_m.end()}, .calm_s = 2 * kCalm_s, .asleep = true};
-    }
     for (const DeformablePin& pin : def.pins) {
         if (body_->inverse_mass(pin.point) == 0) continue;
         body_->pin(pin.point);
@@ -115,9 +110,9 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
     done_ = {};
     find_reach(step_s);
     list_near(world, step_s);
-    bool disturbed = !movable_.empty() || is_stirred_ || is_gripped() || is_blown();
+    bool disturbed =
+        std::exchange(is_stirred_, false) || !movable_.empty() || is_gripped() || is_blown();
     grip_.pulled_Ns = {0, 0, 0};
-    is_stirred_ = false;
     std::vector<BodyId> seen;
     for (const NearBody& near : near_) {
         seen.push_back(near.id);
@@ -132,7 +127,7 @@ void Deformable::begin_step(PhysicsWorld& world, double step_s) {
 bool Deformable::is_blown() const {
     return body_->feels_air() &&
            std::ranges::any_of(body_->fluids(), [](const FluidAtPoint& fluid) {
-               return squared(fluid.air_mps) > kStill_mps * kStill_mps;
+               return glm::length(fluid.air_mps) > kStill_mps;
            });
 }
 
@@ -162,9 +157,8 @@ void Deformable::list_near(const PhysicsWorld& world, double step_s) {
 
 void Deformable::find_reach(double step_s) {
     const auto [low, high] = bounds_of(body_->positions_m());
-    double fastest2 = 0;
-    for (const Vec3d& v : body_->velocities_mps()) fastest2 = std::max(fastest2, squared(v));
-    const double around_m = kMargin_m + def_.surface.thickness_m + std::sqrt(fastest2) * step_s;
+    const double around_m =
+        kMargin_m + def_.surface.thickness_m + fastest_mps(body_->velocities_mps()) * step_s;
     reach_ = {low - around_m, high + around_m};
 }
 
@@ -195,9 +189,8 @@ void Deformable::add_near(const PhysicsWorld& world, BodyId id) {
                           .world_from_mass = world_from_mass(world, id),
                           .spin_radps = Vec3d(state.angular_velocity_radps)}};
     const Vec3d arm = near.own.center_m - Vec3d(state.world_from_body.position);
-    if (state.kind != BodyKind::Static) {
+    if (state.kind != BodyKind::Static)
         near.own.velocity_mps = Vec3d(state.velocity_mps) + glm::cross(near.own.spin_radps, arm);
-    }
     near.is_kinematic = state.kind == BodyKind::Kinematic;
     near.belt = surface_motion(world, id);
     near.friction = std::sqrt(def_.surface.friction * friction_of(world, id));
@@ -226,10 +219,10 @@ void Deformable::wake_touched(PhysicsWorld& world) {
 
 void Deformable::note_rest(double step_s, bool disturbed) {
     const auto now = body_->positions_m();
-    const auto has_moved = [](const Vec3d& a, const Vec3d& b) {
-        return squared(a - b) > kCalm_m * kCalm_m;
+    const auto is_same = [](const Vec3d& a, const Vec3d& b) {
+        return glm::distance(a, b) <= kCalm_m;
     };
-    if (disturbed || !std::ranges::equal(now, rest_.places_m, std::not_fn(has_moved))) {
+    if (disturbed || !std::ranges::equal(now, rest_.places_m, is_same)) {
         rest_.places_m.assign(now.begin(), now.end());
         disturb();
     }
@@ -303,7 +296,7 @@ void Deformable::place_near(std::span<BodyInField* const> bodies, double seconds
 double Deformable::yield_of(BodyId body, const Vec3d& start_mps) const {
     const auto known = std::ranges::find(expected_, body, &Expected::body);
     if (known == expected_.end()) return 1;
-    const double pushed2 = squared(known->pushed_mps);
+    const double pushed2 = glm::dot(known->pushed_mps, known->pushed_mps);
     if (pushed2 < kPushed_mps * kPushed_mps) return 1;
     const double held = glm::dot(known->velocity_mps - start_mps, known->pushed_mps) / pushed2;
     return std::clamp(1 - held, kLeastYield, 1.0);

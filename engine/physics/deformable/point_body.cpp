@@ -4,6 +4,7 @@
 #include "engine/core/io/pose_archive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -95,6 +96,12 @@ PointBounds bounds_of(std::span<const Vec3d> points_m) {
         bounds.high_m = glm::max(bounds.high_m, at);
     }
     return bounds;
+}
+
+double fastest_mps(std::span<const Vec3d> velocities_mps) {
+    double fastest2 = 0;
+    for (const Vec3d& v : velocities_mps) fastest2 = std::max(fastest2, glm::dot(v, v));
+    return std::sqrt(fastest2);
 }
 
 void lead(PointBody& body, std::size_t point, const Vec3d& velocity_mps) {

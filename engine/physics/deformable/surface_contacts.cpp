@@ -84,14 +84,12 @@ void SurfaceContacts::find(const PhysicsWorld& world,
                            double seconds) {
     contacts_.clear();
     const PointBounds bounds = bounds_of(body.positions_m());
-    double fastest2_m2ps2 = 0;
-    for (const Vec3d& v : body.velocities_mps())
-        fastest2_m2ps2 = std::max(fastest2_m2ps2, glm::dot(v, v));
+    const double moved_most_m = fastest_mps(body.velocities_mps()) * seconds;
     for (std::uint32_t i = 0; i < near.size(); ++i) {
         if (!near[i].touches || !world.contains(near[i].id)) continue;
         const NearMotion& motion = near[i].motion();
         const double reach_m = thickness_m + glm::length(motion.velocity_mps) * seconds + kReach_m;
-        const double most_m = reach_m + thickness_m / 2 + std::sqrt(fastest2_m2ps2) * seconds;
+        const double most_m = reach_m + thickness_m / 2 + moved_most_m;
         const BallSearch search(world,
                                 near[i].id,
                                 {motion.center_m, motion.world_from_mass},

@@ -38,6 +38,7 @@ TEST(SavedFile, CutAtEveryLengthItSaysHowMuchIsThere) {
 
 TEST(SavedFile, NoticesEveryFlippedBit) {
     const std::string good = shelled(kContent);
+    const std::string other = "; this program reads format " + std::to_string(kSavedFormat);
     for (std::size_t i = 0; i < good.size() * 8; ++i) {
         std::string bad = good;
         bad[i / 8] = static_cast<char>(bad[i / 8] ^ (1 << i % 8));
@@ -45,7 +46,7 @@ TEST(SavedFile, NoticesEveryFlippedBit) {
         EXPECT_TRUE(fault.starts_with("one.save: ")) << i;
         const std::size_t byte = i / 8;
         const std::string_view said = byte < 8    ? "no saved game"
-                                      : byte < 12 ? "; this program reads format 11"
+                                      : byte < 12 ? std::string_view{other}
                                       : byte < 20 ? "a "
                                                   : "a damaged saved game: its checksum is ";
         EXPECT_NE(fault.find(said), std::string::npos) << fault;
@@ -58,7 +59,7 @@ TEST(SavedFile, NamesTheOtherFormat) {
         bytes[8] = static_cast<char>(format);
         EXPECT_EQ(fault_of(bytes),
                   "one.save: a saved game of format " + std::to_string(format) +
-                      "; this program reads format 11");
+                      "; this program reads format " + std::to_string(kSavedFormat));
     }
 }
 
