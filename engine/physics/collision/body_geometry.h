@@ -2,10 +2,12 @@
 // whose mass frame lies alike in the shape.
 #pragma once
 
+#include "engine/physics/body.h"
 #include "engine/physics/collision/shape/box_tree.h"
 #include "engine/physics/collision/shape/convex_shape.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plumbline::physics {

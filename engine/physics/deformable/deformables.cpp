@@ -194,7 +194,7 @@ void Deformables::act(Group& group, std::span<BodyInField* const> bodies, double
     lap.start();
     for (Deformable* body : group.bodies) body->begin_act(world_, bodies, seconds);
     if (is_first) {
-        for (PartContacts* contacts : group.contacts) contacts->find(step_s_);
+        for (PartContacts* contacts : group.contacts) contacts->begin_step(step_s_);
     }
     const Vec3d gravity_mps2(world_.def().gravity_mps2);
     const auto is_sound = [](const Deformable* body) { return body->body_->is_sound(); };

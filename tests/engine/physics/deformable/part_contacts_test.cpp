@@ -44,7 +44,7 @@ TEST(PartContacts, HalvesThatMeetStopAtTheThickness) {
         if (sheet.positions_m()[i].y > 0) sheet.change_velocity(i, {0, -5, 0});
     }
     const Vec3d before = momentum_of(sheet);
-    contacts.find(kFoldStep_s);
+    contacts.begin_step(kFoldStep_s);
     contacts.solve(kFoldStep_s);
     EXPECT_NEAR(glm::length(momentum_of(sheet) - before), 0, 1e-12);
     double lowest_m = 1;
@@ -68,7 +68,7 @@ TEST(PartContacts, LeaveAloneWhatIsFlatOrFar) {
     sheet.plan(kFoldStep_s, 1);
     for (std::size_t i = 0; i < sheet.positions_m().size(); ++i)
         sheet.change_velocity(i, {3, 100, -20});
-    contacts.find(kFoldStep_s);
+    contacts.begin_step(kFoldStep_s);
     contacts.solve(kFoldStep_s);
     for (const Vec3d& v : sheet.velocities_mps()) EXPECT_EQ(v, (Vec3d{3, 100, -20}));
 }
@@ -77,12 +77,12 @@ TEST(PartContacts, WhatPassedThroughIsSentBack) {
     Sheet sheet(kFlat);
     PartContacts contacts(sheet, {.thickness_m = kThick_m, .friction = 0});
     fold_over(sheet, 0.009);
-    contacts.find(kFoldStep_s);
+    contacts.begin_step(kFoldStep_s);
     contacts.solve(kFoldStep_s);
     std::vector<Vec3d> places(sheet.positions_m().begin(), sheet.positions_m().end());
     for (Vec3d& at : places) at.y = at.y > 0 ? -0.002 : at.y;
     sheet.put_back(places);
-    contacts.find(kFoldStep_s);
+    contacts.begin_step(kFoldStep_s);
     contacts.solve(kFoldStep_s);
     double sum_mps = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -104,7 +104,7 @@ TEST(PartContacts, FacesOfSolidsThatMeetPushApartAlongTheirNormal) {
         PartContacts contacts(above, below, {.thickness_m = kThick_m, .friction = 0.5});
         for (std::size_t i = 0; i < above.positions_m().size(); ++i)
             above.change_velocity(i, {0, -1, 0});
-        contacts.find(kFoldStep_s);
+        contacts.begin_step(kFoldStep_s);
         contacts.solve(kFoldStep_s);
         const Vec3d pushed = above.totals().momentum_kgmps;
         EXPECT_GT(pushed.y, -above.mass_kg() + 0.01) << sunk_m;
@@ -130,7 +130,7 @@ TEST(PartContacts, EdgesThatTurnPastEachOtherStayOnTheirSide) {
     for (int turn = 0; turn < 60; ++turn) {
         for (Vec3d& at : places) at = glm::angleAxis(-0.01, Vec3d{0, 0, 1}) * at;
         above.put_back(places);
-        contacts.find(kFoldStep_s);
+        contacts.begin_step(kFoldStep_s);
         contacts.solve(kFoldStep_s);
         for (const Vec3d& v : above.velocities_mps()) ASSERT_GT(v.z, -1e-6) << turn;
     }
