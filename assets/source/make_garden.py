@@ -270,9 +270,9 @@ entity("flagpole", FLAG, model='"models/flagpole.glb"', body=['kind = "static"',
 DOWNWIND = math.degrees(math.atan2(-WIND[2], WIND[0]))
 
 
-def cloth(name, size, center, turn, material, cells, pins, density=0.12, bend="2e-5", hangs=""):
+def cloth(name, size, center, turn, material, cells, pins, density=0.12, bend="2e-5", stretch=825, hangs=""):
     put(f'\n[[cloth]]\nname = "{name}"\nsize_m = {vec(*size)}\n{hangs}position_m = {vec(*center)}\nrotation_deg = {vec(0, turn, 0)}\n'
-        f'cells = [{cells[0]}, {cells[1]}]\ndensity_kgpm2 = {density}\nstretch_Npm = {825 * density:.0f}\nbend_Nm = {bend}\ndamping_s = 0.002\ndrag = 1.2\n'
+        f'cells = [{cells[0]}, {cells[1]}]\ndensity_kgpm2 = {density}\nstretch_Npm = {stretch * density:.0f}\nbend_Nm = {bend}\ndamping_s = 0.002\ndrag = 1.2\n'
         f'material = "{material}"\npins = [{", ".join(pins)}]')
 
 
@@ -303,7 +303,7 @@ for wall in plan.OUTER:
         for side, u in (("left", u0 - beside + width / 2), ("right", u1 + beside - width / 2)):
             cloth(f"curtain_{wall.name}_{i + 1}_{side}", (width / gather, height),
                   in_house(*wall.place(u, y1 + plan.CURTAIN_ROD - height / 2, plan.CURTAIN_DEPTH)), wall.yaw_deg, "curtain", (2 * folds, 8),
-                  ['{ edge = "top" }'], density=0.25, bend="1e-7", hangs=f"folds = {folds}\ngather = {gather}\nasleep = true\n")
+                  ['{ edge = "top" }'], density=0.25, bend="1e-7", stretch=3300, hangs=f"folds = {folds}\ngather = {gather}\nasleep = true\n")
 
 put(f'\n[[water]]\nname = "pool"\nbasin = "fountain"\nlevel_m = 0.5')
 

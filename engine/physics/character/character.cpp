@@ -8,8 +8,6 @@ namespace plumbline::physics {
 
 namespace {
 
-// The felt capsule ends above the feet: what a person stands on carries a weight, not a ram.
-constexpr Real kBodyAboveFeet_m = 0.1_r;
 constexpr Real kPinnedPace = 0.2_r;
 constexpr Real kCrouchTime_s = 0.18_r;
 constexpr Real kEyeStiffness_radps = 14;  // how fast stairs are smoothed away
@@ -159,6 +157,7 @@ void Character::Impl::update(const CharacterInput& input) {
     probe.set_unseen({});
     const Vec3d start = feet;
     const Real ridden_yaw_rad = follow_ride();
+    stop_at_legs();
     state.squeezed = give_way();
     // What the person still is deep in would answer every question with nonsense; the floor must
     // go on carrying meanwhile.

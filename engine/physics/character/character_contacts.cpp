@@ -13,7 +13,11 @@ constexpr Real kSteppable_kg = 25;           // lighter things are pushed, not c
 constexpr Real kSteppableHeight_m = 0.12_r;  // … unless they lie as flat as this
 constexpr Real kHandHeight = 0.7_r;          // of the person's height
 constexpr Real kArm_m = 0.1_r;               // beyond the person's own surface
+constexpr Real kBeside = 0.8_r;              // of a normal's height: above or below, if more
 constexpr int kPasses = 8;
+// How far a person sees what arrives within the step, as a speed.
+constexpr Real kArrives_mps = 15;
+constexpr Real kOut_per_s = 10;  // of its depth, what the legs push a light thing out by
 
 }  // namespace
 
@@ -40,7 +44,7 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
     if (!world.state(hit.body).pushable()) return 0;
     const Vec3 into = normalize_or(-level(hit.normal), Vec3{0, 0, 0});
     const Real wanted = glm::dot(wanted_velocity, into);
-    if (wanted <= 0 || std::abs(hit.normal.y) > 0.8_r) return 0;
+    if (wanted <= 0 || std::abs(hit.normal.y) > kBeside) return 0;
     const auto away_of = [&](BodyId other) {
         return glm::dot(world.state(other).velocity_mps, into);
     };
@@ -95,6 +99,27 @@ Vec3 Character::Impl::slide_freely(const Vec3& displacement, BodyId ignored) {
     return Vec3(feet - start);
 }
 
+/// The body that others feel begins, round, above the feet: what is light and arrives below its sides, the legs stop.
+void Character::Impl::stop_at_legs() const {
+    if (footing != Footing::Ground) return;
+    for (const CapsuleContact& touch : probe.touches(feet, kArrives_mps * dt)) {
+        const bool is_low =
+            touch.point.y < static_cast<Real>(feet.y) + kBodyAboveFeet_m + def.radius_m;
+        const bool is_beside = std::abs(touch.normal.y) < kBeside;
+        if (!is_low || !is_beside || touch.body == ground.body || !gives_way_to_us(touch.body))
+            continue;
+        const BodyState arriving = world.state(touch.body);
+        const Vec3 away = normalize_or(-level(touch.normal), Vec3{0, 0, 0});
+        const Real closing_mps = -glm::dot(arriving.velocity_mps, away);
+        const Real allowed_mps =
+            touch.gap_m > 0 ? touch.gap_m / dt : -std::min(-touch.gap_m * kOut_per_s, kPushOut_mps);
+        if (closing_mps <= allowed_mps) continue;
+        push(touch.body,
+             away * (arriving.mass.mass_kg * (closing_mps - allowed_mps)),
+             arriving.center_of_mass_world());
+    }
+}
+
 bool Character::Impl::give_way() {
     const Vec3d start = feet;
     Real budget = kPushOut_mps * dt;
@@ -105,8 +130,7 @@ bool Character::Impl::give_way() {
         const CapsuleContact* worst = nullptr;
         Real worst_need = kSlop_m;
         Real worst_approach = 0;
-        // Far enough to see what arrives within this step at up to 15 m/s.
-        const auto touches = probe.touches(feet, 15 * dt);
+        const auto touches = probe.touches(feet, kArrives_mps * dt);
         for (const CapsuleContact& touch : touches) {
             const bool underfoot =
                 footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;

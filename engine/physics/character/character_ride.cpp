@@ -11,6 +11,8 @@ namespace {
 constexpr Real kLostRide_m = 0.5_r;
 // A platform turns about level axes no faster than this.
 constexpr Real kTumbling_radps = 0.5_r;
+// A light thing that turns faster rolls away under the feet; a swing does not.
+constexpr Real kRolling_radps = 6;
 
 /// The turn about +Y within a rotation.
 Real yaw_of(const Quat& rotation) {
@@ -72,10 +74,16 @@ bool Character::Impl::is_on_a_platform() const {
     return probe.is_flat(ground);
 }
 
+/// What is too light to take the person along and rolls or tumbles.
+bool Character::Impl::slips_away() const {
+    const Vec3 turning_radps = level(world.state(ground.body).angular_velocity_radps);
+    return gives_way_to_us(ground.body) && glm::length(turning_radps) > kRolling_radps;
+}
+
 std::optional<Ride> Character::Impl::ride_on_ground() const {
     if (footing != Footing::Ground || !world.contains(ground.body)) return std::nullopt;
     const BodyState found = world.state(ground.body);
-    if (found.kind == BodyKind::Static || found.frozen) return std::nullopt;
+    if (found.kind == BodyKind::Static || found.frozen || slips_away()) return std::nullopt;
     if (ride && ride->body == ground.body) return ride;
     return Ride{.body = ground.body, .now = found.world_from_body, .next = coast(found, dt)};
 }

@@ -17,6 +17,8 @@
 namespace plumbline::physics {
 
 inline constexpr Real kSkin_m = 0.004_r;
+/// The felt capsule ends above the feet: what a person stands on carries a weight, not a ram.
+inline constexpr Real kBodyAboveFeet_m = 0.1_r;
 /// Closer than this counts as touching.
 inline constexpr Real kTouch_m = 0.002_r;
 /// Surfaces that one move slides along at most.
@@ -172,7 +174,8 @@ private:
     void slide_on_ground(Vec3 displacement);
     bool step_up(const Vec3& displacement);
     bool try_step(const Vec3& displacement);
-    std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
+    std::optional<Support> find_ground(Vec3d& from, Real reach_m, BodyId ignored = {}) const;
+    bool rolls_up(const Support& found) const;
     bool drop_to_ground();
     void stand_on(const Support& support);
     void leave_ground(const Vec3& velocity);
@@ -187,6 +190,7 @@ private:
 
     // --- character_contacts.cpp
     /// Whether what presses leaves no room.
+    void stop_at_legs() const;
     bool give_way();
     /// What the person still is deep in.
     std::optional<BodyId> pinning_body() const;
@@ -214,6 +218,7 @@ private:
     /// Goes where what carries the person will go in the coming step. How far that turns, about +Y.
     Real carry();
     /// What it rides turns it: see CharacterState::ridden_yaw_rad.
+    bool slips_away() const;
     bool is_on_a_platform() const;
     void press_down() const;
     void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const;

@@ -160,10 +160,12 @@ bool Character::Impl::try_step(const Vec3& displacement) {
     return true;
 }
 
-std::optional<Support> Character::Impl::find_ground(Vec3d& from, Real reach_m) const {
+std::optional<Support> Character::Impl::find_ground(Vec3d& from,
+                                                    Real reach_m,
+                                                    BodyId ignored) const {
     // From a little above, so that a foot that sank a little comes up again.
     const Vec3d above = from + Vec3d(kUp * kRaise_m);
-    const auto hit = probe.sweep(above, -kUp * (reach_m + kRaise_m));
+    const auto hit = probe.sweep(above, -kUp * (reach_m + kRaise_m), ignored);
     if (!hit) return std::nullopt;
     const Support support = probe.support_of(*hit, from);
     Real down = hit->raw_travel_m - kSkin_m / std::max(hit->normal.y, 0.3_r);
@@ -188,11 +190,25 @@ std::optional<Support> Character::Impl::find_ground(Vec3d& from, Real reach_m) c
     return support;
 }
 
+/// A light round thing that has come to the feet, too high to step on: it lifts nobody.
+bool Character::Impl::rolls_up(const Support& found) const {
+    if (found.body == ground.body || !gives_way_to_us(found.body) || probe.is_flat(found))
+        return false;
+    Vec3 low{};
+    Vec3 high{};
+    bounds(world, found.body, low, high);
+    return !may_step_on(found.body, high.y - ground.point.y);
+}
+
 bool Character::Impl::drop_to_ground() {
     // Measured from tread to tread: the round foot may already hang half-way down an edge.
     const Real most = def.step_up_m + kStepTolerance_m;
     Vec3d landed = feet;
-    const auto support = find_ground(landed, most);
+    auto support = find_ground(landed, most);
+    if (support && rolls_up(*support)) {
+        landed = feet;
+        support = find_ground(landed, most, support->body);
+    }
     if (!support || ground.point.y - support->point.y > most) return false;
     if (!support->walkable) {
         // A steep face may be in the way while the other foot still stands.

@@ -129,6 +129,35 @@ TEST_P(CharacterRiding, ABallUnderTheFeetTurnsNobodyHoweverHeavy) {
     }
 }
 
+// A ball thrown at a wall came back under the feet, and its spin flung the person about.
+TEST_P(CharacterRiding, ABallThatFliesAtTheFeetCarriesNobodyAway) {
+    for (const Real speed_mps : {3.0_r, 6.0_r, 9.0_r, 13.0_r}) {
+        for (const Real high_m : {0.12_r, 0.2_r, 0.3_r, 0.45_r}) {
+            for (const Real spin_radps : {-60.0_r, 0.0_r, 60.0_r}) {
+                Stage stage(GetParam());
+                stage.ground();
+                stage.wall({4, 3, 0.2_r}, {0, 1.5_r, 0.6_r});  // behind the person
+                stage.enter({0, 0, 0});
+                stage.rest(0.2_r);
+                const BodyId ball = stage.add(SphereShape{0.12_r},
+                                              {0.05_r, high_m, -1.5_r},
+                                              {.kind = BodyKind::Dynamic,
+                                               .mass_kg = 0.6_r,
+                                               .friction = 0.7_r,
+                                               .restitution = 0.75_r});
+                stage.world.set_velocity(ball, {0, 0, speed_mps}, {spin_radps, 0, 0});
+                Real farthest_m = 0;
+                for (int i = 0; i < stage.steps_in(2); ++i) {
+                    stage.step();
+                    farthest_m = std::max(farthest_m, glm::length(stage.feet()));
+                }
+                EXPECT_LT(farthest_m, 0.15)
+                    << speed_mps << " m/s at " << high_m << " m, spin " << spin_radps;
+            }
+        }
+    }
+}
+
 TEST_P(CharacterRiding, AHeavySlabThatTumblesTurnsNobody) {
     Stage stage(GetParam());
     stage.ground();
