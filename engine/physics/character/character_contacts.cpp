@@ -102,12 +102,15 @@ Vec3 Character::Impl::slide_freely(const Vec3& displacement, BodyId ignored) {
 /// The body that others feel begins, round, above the feet: what is light and arrives below its sides, the legs stop.
 void Character::Impl::stop_at_legs() const {
     if (footing != Footing::Ground) return;
+    std::vector<BodyId> met;  // once each, where it is deepest
     for (const CapsuleContact& touch : probe.touches(feet, kArrives_mps * dt)) {
         const bool is_low =
             touch.point.y < static_cast<Real>(feet.y) + kBodyAboveFeet_m + def.radius_m;
         const bool is_beside = std::abs(touch.normal.y) < kBeside;
-        if (!is_low || !is_beside || touch.body == ground.body || !gives_way_to_us(touch.body))
+        if (!is_low || !is_beside || touch.body == ground.body || !gives_way_to_us(touch.body) ||
+            std::ranges::find(met, touch.body) != met.end())
             continue;
+        met.push_back(touch.body);
         const BodyState arriving = world.state(touch.body);
         const Vec3 away = normalize_or(-level(touch.normal), Vec3{0, 0, 0});
         const Real closing_mps = -glm::dot(arriving.velocity_mps, away);
