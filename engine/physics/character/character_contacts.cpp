@@ -2,6 +2,7 @@
 #include "engine/physics/character/character_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace plumbline::physics {
 
@@ -123,6 +124,16 @@ void Character::Impl::stop_at_legs() const {
     }
 }
 
+/// How far the person has to come out, and how much of that the other arrives by within the step.
+std::pair<Real, Real> Character::Impl::need_of(const CapsuleContact& touch) const {
+    // What gives way is pushed instead, until it really overlaps.
+    if (gives_way_to_us(touch.body)) return {-touch.gap_m - kSkin_m, Real{0}};
+    if (touch.user == kCharacterMark) return {-touch.gap_m, Real{0}};
+    const Vec3 moving = point_velocity(touch.body, touch.point);
+    const Real approach = std::max(glm::dot(moving, touch.normal), Real{0}) * dt;
+    return {-touch.gap_m + approach, approach};
+}
+
 bool Character::Impl::give_way() {
     const Vec3d start = feet;
     Real budget = kPushOut_mps * dt;
@@ -139,15 +150,7 @@ bool Character::Impl::give_way() {
                 footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;
             const auto end = blocked.begin() + static_cast<std::ptrdiff_t>(blocked_count);
             if (underfoot || std::find(blocked.begin(), end, touch.body) != end) continue;
-            Real need = -touch.gap_m;
-            Real approach = 0;
-            if (gives_way_to_us(touch.body)) {
-                need -= kSkin_m;  // it is pushed instead, until it really overlaps
-            } else if (touch.user != kCharacterMark) {
-                const Vec3 moving = point_velocity(touch.body, touch.point);
-                approach = std::max(glm::dot(moving, touch.normal), Real{0}) * dt;
-            }
-            need += approach;
+            const auto [need, approach] = need_of(touch);
             if (need > worst_need) {
                 worst = &touch;
                 worst_need = need;

@@ -12,6 +12,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace plumbline::physics {
@@ -191,6 +192,7 @@ private:
     // --- character_contacts.cpp
     /// Whether what presses leaves no room.
     void stop_at_legs() const;
+    std::pair<Real, Real> need_of(const CapsuleContact& touch) const;
     bool give_way();
     /// What the person still is deep in.
     std::optional<BodyId> pinning_body() const;
