@@ -157,7 +157,6 @@ void Character::Impl::update(const CharacterInput& input) {
     probe.set_unseen({});
     const Vec3d start = feet;
     const Real ridden_yaw_rad = follow_ride();
-    stop_at_legs();
     state.squeezed = give_way();
     // What the person still is deep in would answer every question with nonsense; the floor must
     // go on carrying meanwhile.

@@ -101,10 +101,10 @@ Vec3 Character::Impl::slide_freely(const Vec3& displacement, BodyId ignored) {
 }
 
 /// The body that others feel begins, round, above the feet: what is light and arrives below its sides, the legs stop.
-void Character::Impl::stop_at_legs() const {
+void Character::Impl::stop_at_legs(std::span<const CapsuleContact> touches) const {
     if (footing != Footing::Ground) return;
     std::vector<BodyId> met;  // once each, where it is deepest
-    for (const CapsuleContact& touch : probe.touches(feet, kArrives_mps * dt)) {
+    for (const CapsuleContact& touch : touches) {
         const bool is_low =
             touch.point.y < static_cast<Real>(feet.y) + kBodyAboveFeet_m + def.radius_m;
         const bool is_beside = std::abs(touch.normal.y) < kBeside;
@@ -145,6 +145,7 @@ bool Character::Impl::give_way() {
         Real worst_need = kSlop_m;
         Real worst_approach = 0;
         const auto touches = probe.touches(feet, kArrives_mps * dt);
+        if (pass == 0) stop_at_legs(touches);
         for (const CapsuleContact& touch : touches) {
             const bool underfoot =
                 footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;

@@ -75,15 +75,15 @@ bool Character::Impl::is_on_a_platform() const {
 }
 
 /// What is too light to take the person along and rolls or tumbles.
-bool Character::Impl::slips_away() const {
-    const Vec3 turning_radps = level(world.state(ground.body).angular_velocity_radps);
+bool Character::Impl::slips_away(const BodyState& below) const {
+    const Vec3 turning_radps = level(below.angular_velocity_radps);
     return gives_way_to_us(ground.body) && glm::length(turning_radps) > kRolling_radps;
 }
 
 std::optional<Ride> Character::Impl::ride_on_ground() const {
     if (footing != Footing::Ground || !world.contains(ground.body)) return std::nullopt;
     const BodyState found = world.state(ground.body);
-    if (found.kind == BodyKind::Static || found.frozen || slips_away()) return std::nullopt;
+    if (found.kind == BodyKind::Static || found.frozen || slips_away(found)) return std::nullopt;
     if (ride && ride->body == ground.body) return ride;
     return Ride{.body = ground.body, .now = found.world_from_body, .next = coast(found, dt)};
 }

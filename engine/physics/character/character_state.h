@@ -190,9 +190,9 @@ private:
     std::optional<Vec3> jump_velocity() const;
 
     // --- character_contacts.cpp
-    /// Whether what presses leaves no room.
-    void stop_at_legs() const;
+    void stop_at_legs(std::span<const CapsuleContact> touches) const;
     std::pair<Real, Real> need_of(const CapsuleContact& touch) const;
+    /// Whether what presses leaves no room.
     bool give_way();
     /// What the person still is deep in.
     std::optional<BodyId> pinning_body() const;
@@ -219,8 +219,8 @@ private:
     std::optional<Ride> ride_on_ground() const;
     /// Goes where what carries the person will go in the coming step. How far that turns, about +Y.
     Real carry();
+    bool slips_away(const BodyState& below) const;
     /// What it rides turns it: see CharacterState::ridden_yaw_rad.
-    bool slips_away() const;
     bool is_on_a_platform() const;
     void press_down() const;
     void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const;

@@ -96,6 +96,7 @@ void PartContacts::follow(double h) {
 void PartContacts::find_normals() {
     const PointValues at_m = near_.positions_m();
     normals_.assign(at_m.size(), Vec3d{0, 0, 0});
+    if (!near_.enclose()) return;
     for (const auto& [a, b, c] : near_.parts().triangles) {
         if (!near_.encloses(a)) continue;
         const Vec3d normal = glm::cross(at_m[b] - at_m[a], at_m[c] - at_m[a]);

@@ -39,7 +39,8 @@ PartPairs::PartPairs(const PointBody& first, const PointBody* second, double thi
       thickness_m_(thickness_m),
       margin_m_(kMarginOfSide * (second != nullptr
                                      ? std::min(first.longest_side_m(), second->longest_side_m())
-                                     : first.longest_side_m())) {
+                                     : first.longest_side_m())),
+      reach_m_(thickness_m + 2 * margin_m_) {
     list_parts();
 }
 
@@ -79,9 +80,8 @@ void PartPairs::begin_step(double seconds) {
         listed_m_.clear();
     }
     moved_m_ = moved_since_listed_m();
-    if (!keep_up(0)) {
-        for (PartPair& pair : pairs_) pair.idle_s = 0;
-    }
+    if (moved_m_ > margin_m_ / 2) return find();
+    for (PartPair& pair : pairs_) pair.idle_s = 0;
 }
 
 bool PartPairs::keep_up(double most_m) {
@@ -114,9 +114,8 @@ PartPairs::Within PartPairs::meeting_place() const {
         meeting.low_m = glm::max(meeting.low_m, low);
         meeting.high_m = glm::min(meeting.high_m, high);
     }
-    const double reach_m = thickness_m_ + 2 * margin_m_;
-    meeting.low_m -= reach_m;
-    meeting.high_m += reach_m;
+    meeting.low_m -= reach_m_;
+    meeting.high_m += reach_m_;
     return meeting;
 }
 
@@ -153,14 +152,13 @@ void PartPairs::find() {
 /// Points against triangles.
 void PartPairs::list_points(Numbers points, Numbers triangles, const Search& search) {
     const PointValues at_m = positions_m();
-    const double reach_m = thickness_m_ + 2 * margin_m_;
     std::vector<PlaceBins::Place> places;
     for (std::uint32_t i = points.begin; i < points.end; ++i) {
-        if (search.within.has(at_m[i], reach_m))
-            places.push_back({.middle_m = at_m[i], .radius_m = reach_m, .number = i});
+        if (search.within.has(at_m[i], reach_m_))
+            places.push_back({.middle_m = at_m[i], .radius_m = reach_m_, .number = i});
     }
     // A triangle of a cell lies within a side of its middle, and its longest side is a diagonal.
-    const PlaceBins bins(std::move(places), search.longest_m + reach_m);
+    const PlaceBins bins(std::move(places), search.longest_m + reach_m_);
     for (std::uint32_t i = triangles.begin; i < triangles.end; ++i) {
         if (!search.within.has(at_m[parts_.triangles[i][0]], kDiagonal * search.longest_m))
             continue;
@@ -172,16 +170,15 @@ void PartPairs::list_points(Numbers points, Numbers triangles, const Search& sea
 
 void PartPairs::list_edges(Numbers firsts, Numbers seconds, const Search& search) {
     const PointValues at_m = positions_m();
-    const double reach_m = thickness_m_ + 2 * margin_m_;
     std::vector<PlaceBins::Place> places;
     for (std::uint32_t i = firsts.begin; i < firsts.end; ++i) {
-        if (!search.within.has(at_m[parts_.edges[i][0]], search.longest_m + reach_m)) continue;
+        if (!search.within.has(at_m[parts_.edges[i][0]], search.longest_m + reach_m_)) continue;
         PlaceBins::Place place = ball_round(parts_.edges[i], at_m);
-        place.radius_m += reach_m;
+        place.radius_m += reach_m_;
         place.number = i;
         places.push_back(place);
     }
-    const PlaceBins bins(std::move(places), search.longest_m + reach_m);
+    const PlaceBins bins(std::move(places), search.longest_m + reach_m_);
     for (std::uint32_t i = seconds.begin; i < seconds.end; ++i) {
         if (!search.within.has(at_m[parts_.edges[i][0]], kDiagonal * search.longest_m)) continue;
         bins.for_near(ball_round(parts_.edges[i], at_m), [&](std::uint32_t other) {

@@ -74,7 +74,8 @@ public:
     PointValues positions_m() const;
     PointValues velocities_mps() const;
     const SurfaceParts& parts() const { return parts_; }  ///< of both
-    /// Whether the surface that a point is on encloses something.
+    /// Whether one of the surfaces encloses something, and whether that which a point is on does.
+    bool enclose() const { return own_parts_[0].encloses || own_parts_[1].encloses; }
     bool encloses(std::uint32_t point) const { return own_parts_[is_of_second(point)].encloses; }
     bool is_of_second(std::uint32_t point) const { return point >= second_from_; }
 
@@ -125,6 +126,7 @@ private:
     std::uint32_t second_from_;  ///< number of its first point
     double thickness_m_;
     double margin_m_;
+    double reach_m_;  ///< how far apart points and edges are looked up
     std::array<SurfaceParts, 2> own_parts_;
     SurfaceParts parts_;
     std::vector<PartPair> pairs_;  ///< sorted
