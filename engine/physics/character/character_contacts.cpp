@@ -126,6 +126,9 @@ void Character::Impl::stop_at_legs(std::span<const CapsuleContact> touches) cons
 
 /// How far the person has to come out, and how much of that the other arrives by within the step.
 std::pair<Real, Real> Character::Impl::need_of(const CapsuleContact& touch) const {
+    const bool underfoot =
+        footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;
+    if (underfoot) return {Real{0}, Real{0}};
     // What gives way is pushed instead, until it really overlaps.
     if (gives_way_to_us(touch.body)) return {-touch.gap_m - kSkin_m, Real{0}};
     if (touch.user == kCharacterMark) return {-touch.gap_m, Real{0}};
@@ -147,10 +150,8 @@ bool Character::Impl::give_way() {
         const auto touches = probe.touches(feet, kArrives_mps * dt);
         if (pass == 0) stop_at_legs(touches);
         for (const CapsuleContact& touch : touches) {
-            const bool underfoot =
-                footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;
             const auto end = blocked.begin() + static_cast<std::ptrdiff_t>(blocked_count);
-            if (underfoot || std::find(blocked.begin(), end, touch.body) != end) continue;
+            if (std::find(blocked.begin(), end, touch.body) != end) continue;
             const auto [need, approach] = need_of(touch);
             if (need > worst_need) {
                 worst = &touch;
