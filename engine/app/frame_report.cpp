@@ -18,7 +18,6 @@ using nlohmann::json;
 constexpr std::size_t kRecentFrames = 120;
 constexpr std::size_t kLongFrames = 5;
 constexpr double kInterval_s = 5;
-constexpr double kSmoothing = 1.0 / 30.0;
 
 std::span<const float> last_of(const std::vector<float>& values) {
     return std::span(values).last(std::min(kRecentFrames, values.size()));
@@ -88,7 +87,7 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     for (const render::PassTiming& pass : stats.passes) {
         const auto [known, is_new] = passes_.try_emplace(std::string(pass.name));
         PassTotal& total = known->second;
-        const double share = is_new ? 1.0 : kSmoothing;
+        const double share = is_new ? 1.0 : scene::kShareOfNewest;
         total.recent_cpu_ms += share * (pass.cpu_ms - total.recent_cpu_ms);
         total.recent_gpu_ms += share * (pass.gpu_ms - total.recent_gpu_ms);
         total.cpu_ms += pass.cpu_ms;

@@ -14,9 +14,6 @@ namespace plumbline::scene {
 
 namespace {
 
-/// Of the newest step in what is smoothed.
-constexpr double kSmoothing = 1.0 / 30.0;
-
 /// What water displaced by rigid bodies has risen by, and waves.
 double water_J(const Simulation& simulation) {
     double sum = simulation.force_fields.energy_J("buoyancy");
@@ -159,7 +156,7 @@ Totals totals_of(const Simulation& simulation) {
 
 void CostHistory::add(const physics::StepCost& cost) {
     using Cost = physics::StepCost;
-    const double share = step_ms.empty() ? 1.0 : kSmoothing;
+    const double share = step_ms.empty() ? 1.0 : kShareOfNewest;
     for (double Cost::*phase : {&Cost::broad_ms,
                                 &Cost::narrow_ms,
                                 &Cost::solve_ms,

@@ -30,6 +30,9 @@ struct CostHistory {
 /// Empty: nothing was.
 std::string interventions_text(const physics::Interventions& done);
 
+/// Of the newest frame or step in a figure that is smoothed.
+inline constexpr double kShareOfNewest = 1.0 / 30.0;
+
 struct Percentiles {
     double median{0};
     double p95{0};

@@ -17,7 +17,6 @@ using study::Setting;
 
 // Nothing is typed: no text of a keyboard reaches the panel.
 constexpr ImGuiSliderFlags kSlider = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-constexpr int kMostSubsteps = 32;
 constexpr int kMostIterations = 50;
 
 bool choose_solver(const char* label, Setting& setting) {
@@ -69,7 +68,7 @@ bool choose_setting(Setting& setting) {
     changed |= choose_count("Sub-steps",
                             setting.substeps,
                             setting.solver == Solver::SmallStep ? 0 : 1,
-                            kMostSubsteps,
+                            scene::kMostSubsteps,
                             setting.substeps == 0 ? "on demand" : "%d");
     changed |= choose_count("Iterations", setting.iterations, 1, kMostIterations, "%d");
     changed |= choose_solver("Solver", setting);

@@ -283,19 +283,15 @@ private:
         own.slope = {0, 0};
         const std::vector<scene::SceneWater>& waters = simulation_.waters;
         for (std::size_t i = 0; i < waters.size(); ++i) {
-            const Vec3d& low = waters[i].min_m;
-            const Vec3d& high = waters[i].max_m;
-            if (center.x < low.x || center.x > high.x || center.z < low.z || center.z > high.z ||
-                center.y + own.radius_m < low.y)
-                continue;
-            if (waters[i].basin && !waters[i].basin->holds(center.x, center.z)) continue;
+            if (center.y + own.radius_m < waters[i].min_m.y) continue;
+            if (!waters[i].spans(center.x, center.z)) continue;
             Afloat there = own;
             there.water = static_cast<int>(i);
             if (const scene::WaveField* waves = waves_of(there)) {
                 there.rise_m = scene::felt_rise_m(waters[i], own, center);
                 there.slope = waves->slope(center.x, center.z, scene::kFeltOfRadius * own.radius_m);
             }
-            if (center.y - own.radius_m > high.y + there.rise_m) continue;
+            if (center.y - own.radius_m > waters[i].max_m.y + there.rise_m) continue;
             own = there;
             return;
         }

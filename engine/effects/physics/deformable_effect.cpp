@@ -18,10 +18,7 @@ constexpr double kStiffEnough = 0.95;
 /// Null: in none.
 const scene::SceneWater* water_at(const scene::Simulation& simulation, const Vec3d& place) {
     for (const scene::SceneWater& water : simulation.waters) {
-        const bool is_within = place.x >= water.min_m.x && place.x <= water.max_m.x &&
-                               place.z >= water.min_m.z && place.z <= water.max_m.z &&
-                               place.y >= water.min_m.y;
-        if (is_within && (!water.basin || water.basin->holds(place.x, place.z))) return &water;
+        if (place.y >= water.min_m.y && water.spans(place.x, place.z)) return &water;
     }
     return nullptr;
 }

@@ -19,6 +19,12 @@ struct SceneWater {
     std::optional<Basin> basin{};  ///< none: it fills its box
     std::unique_ptr<WaveField>
         waves{};  ///< of a surface that is not flat, while effect water lives
+
+    /// Whether there is water above its ground at that place.
+    bool spans(double x_m, double z_m) const {
+        const bool is_in_box = x_m >= min_m.x && x_m <= max_m.x && z_m >= min_m.z && z_m <= max_m.z;
+        return is_in_box && (!basin || basin->holds(x_m, z_m));
+    }
 };
 
 /// What something has under water.

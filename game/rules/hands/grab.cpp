@@ -212,6 +212,20 @@ void Grab::pull_thing(scene::Simulation& simulation, const Aim& aim) {
     last_target_ = target;
 }
 
+/// Of what is held, at a point of it that is to be at `target`.
+Vec3 Grab::next_velocity(const Vec3& velocity,
+                         const Vec3& point,
+                         const Vec3& target,
+                         Real dt) const {
+    // The farther away, the farther a pointer goes in the same time.
+    const Real fastest_mps =
+        by_pointer_ ? std::max(kFastest_mps, kFastest_per_m * distance_m_) : kFastest_mps;
+    const Vec3 target_velocity =
+        last_target_ ? shortened((target - *last_target_) / dt, fastest_mps) : Vec3{0, 0, 0};
+    return shortened(damped(velocity, target - point, target_velocity, kStiffness_radps, dt),
+                     fastest_mps);
+}
+
 void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Vec3& target) {
     physics::PhysicsWorld& world = simulation.physics;
     const Real dt = static_cast<Real>(simulation.step_s());
@@ -219,13 +233,7 @@ void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Ve
     const Vec3 middle = state.center_of_mass_world();
     const Vec3 arm = middle - state.world_from_body.position;
     const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps, arm);
-    // The farther away, the farther a pointer goes in the same time.
-    const Real fastest_mps =
-        by_pointer_ ? std::max(kFastest_mps, kFastest_per_m * distance_m_) : kFastest_mps;
-    const Vec3 target_velocity =
-        last_target_ ? shortened((target - *last_target_) / dt, fastest_mps) : Vec3{0, 0, 0};
-    const Vec3 next = shortened(
-        damped(velocity, target - middle, target_velocity, kStiffness_radps, dt), fastest_mps);
+    const Vec3 next = next_velocity(velocity, middle, target, dt);
     const Vec3 weight = world.def().gravity_mps2 * mass_kg_;
     Vec3 force = shortened((next - velocity) * (mass_kg_ / dt) - weight, kMostForce_N);
     // Nobody lifts what he stands on.
@@ -240,11 +248,7 @@ void Grab::pull_handle(scene::Simulation& simulation, const Vec3& target) {
     const Vec3 point = transform_point(state.world_from_body, handle_->point_body);
     const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps,
                                                           point - state.world_from_body.position);
-    const Vec3 target_velocity =
-        last_target_ ? shortened((target - *last_target_) / dt, kFastest_mps) : Vec3{0, 0, 0};
-    const Vec3 next = shortened(
-        damped(velocity, target - point, target_velocity, kStiffness_radps, dt), kFastest_mps);
-    const Vec3 change = next - velocity;
+    const Vec3 change = next_velocity(velocity, point, target, dt) - velocity;
     // As heavy as it is at that point, along that way.
     const Vec3 way = normalize_or(change, Vec3{0, 1, 0});
     const Vec3 lever = glm::conjugate(state.world_from_body.orientation) *

@@ -65,6 +65,7 @@ private:
     static std::optional<Handle> handle_of(const scene::Simulation& simulation,
                                            const Looked& looked);
     Vec3 target_of(const scene::Simulation& simulation, const Aim& aim) const;
+    Vec3 next_velocity(const Vec3& velocity, const Vec3& point, const Vec3& target, Real dt) const;
     void pull_straight(scene::Simulation& simulation, const Aim& aim, const Vec3& target);
     void pull_round(scene::Simulation& simulation, const Aim& aim);
     void pull_handle(scene::Simulation& simulation, const Vec3& target);
