@@ -14,13 +14,8 @@ constexpr int kRounds = 8;  // over the pairs, for impacts that impacts cause
 /// Over the points of one pair, unless they agree sooner: of a pair's impulses, where a sweep changes less.
 constexpr int kInnerSweeps = 100;
 constexpr Real kSettledShare = 4 * std::numeric_limits<Real>::epsilon();
-/// The same where joints are solved after each push, which is dearer.
-constexpr int kJointedSweeps = 30;
-constexpr Real kJointedShare = 1e-4_r;
 /// Of the energy: more is a gain, not rounding.
 constexpr double kGain = 1e-6;
-/// Of what a body answers alone: joints that leave less let it move no way along the direction.
-constexpr double kHeldFast = 1e-5;
 /// Points nearer than this are taken as touching, m: rounding of a separation.
 constexpr Real kTouching_m = 1e-6_r;
 
@@ -81,13 +76,15 @@ void predict_impact(const ContactConstraint& constraint,
     impact.shift_m = opening_mps2 * tau_s * tau_s / 2 - out_mps * tau_s - separation_m;
 }
 
-/// `inverse_mass`: along a direction.
-template <typename InverseMass>
 void weigh_impact(ImpactPoint& impact,
                   const ContactConstraint& constraint,
-                  const InverseMass& inverse_mass) {
-    impact.normal_mass = 1 / inverse_mass(constraint.normal);
-    for (int t = 0; t < 2; ++t) impact.tangent_mass[t] = 1 / inverse_mass(constraint.tangent[t]);
+                  std::span<const SolverBody> bodies) {
+    const auto mass_along = [&](const Vec3& direction) {
+        return 1 / (bodies[constraint.a].inverse_mass_along(impact.arm_a, direction) +
+                    bodies[constraint.b].inverse_mass_along(impact.arm_b, direction));
+    };
+    impact.normal_mass = mass_along(constraint.normal);
+    for (int t = 0; t < 2; ++t) impact.tangent_mass[t] = mass_along(constraint.tangent[t]);
 }
 
 /// Returns by how much it changed the impulse, Ns; so does solve_normal().
@@ -140,20 +137,13 @@ void keep_impact(const ImpactPoint& impact,
     constraint.bounced = constraint.bounced || constraint.whole_spheres();
 }
 
-struct SweepLimits {
-    int most{1};
-    Real settled_share{0};  ///< of the impulses: less is no change
-};
-
-/// All points at once. `held`: what follows every push.
-template <typename Held>
+/// All points at once.
 void sweep_impacts(std::span<ImpactPoint> impacts,
                    std::span<const ContactConstraint> constraints,
-                   std::span<SolverBody> bodies,
-                   const SweepLimits& limits,
-                   const Held& held) {
+                   std::span<SolverBody> bodies) {
+    const int most = impacts.size() > 1 ? kInnerSweeps : 1;
     bool agree = false;
-    for (int sweep = 0; sweep < limits.most && !agree; ++sweep) {
+    for (int sweep = 0; sweep < most && !agree; ++sweep) {
         Real changed_Ns = 0;
         Real total_Ns = 0;
         for (ImpactPoint& impact : impacts) {
@@ -161,14 +151,10 @@ void sweep_impacts(std::span<ImpactPoint> impacts,
             SolverBody& a = bodies[constraint.a];
             SolverBody& b = bodies[constraint.b];
             changed_Ns += solve_normal(impact, constraint, a, b);
-            held();
-            if (constraint.friction > 0) {
-                changed_Ns += solve_friction(impact, constraint, a, b);
-                held();
-            }
+            if (constraint.friction > 0) changed_Ns += solve_friction(impact, constraint, a, b);
             total_Ns += impact.normal_Ns;
         }
-        agree = changed_Ns <= limits.settled_share * total_Ns;
+        agree = changed_Ns <= kSettledShare * total_Ns;
     }
 }
 
@@ -281,23 +267,12 @@ bool ImpactPass::gather(const Pair& pair, bool may_shift) {
 }
 
 void ImpactPass::solve(const Group& group) {
-    for (ImpactPoint& impact : impacts_) {
-        const ContactConstraint& constraint = contacts_->constraints[impact.constraint];
-        weigh_impact(impact, constraint, [&](const Vec3& direction) {
-            const Real alone = bodies_[constraint.a].inverse_mass_along(impact.arm_a, direction) +
-                               bodies_[constraint.b].inverse_mass_along(impact.arm_b, direction);
-            if (!group.is_jointed()) return alone;
-            const double held = settings_.joints->inverse_mass_along(
-                {constraint.a, constraint.b, impact.arm_a, impact.arm_b, direction});
-            // What joints hold fast is pushed as if alone: they take it back.
-            return held > kHeldFast * static_cast<double>(alone) ? static_cast<Real>(held) : alone;
-        });
-    }
     if (group.is_jointed()) {
         solve_jointed(group);
     } else {
-        const int sweeps = impacts_.size() > 1 ? kInnerSweeps : 1;
-        sweep_impacts(impacts_, contacts_->constraints, bodies_, {sweeps, kSettledShare}, [] {});
+        for (ImpactPoint& impact : impacts_)
+            weigh_impact(impact, contacts_->constraints[impact.constraint], bodies_);
+        sweep_impacts(impacts_, contacts_->constraints, bodies_);
     }
     for (const ImpactPoint& impact : impacts_) {
         ContactConstraint& constraint = contacts_->constraints[impact.constraint];
@@ -306,20 +281,14 @@ void ImpactPass::solve(const Group& group) {
 }
 
 void ImpactPass::solve_jointed(const Group& group) {
-    const auto sweep = [&] {
-        sweep_impacts(
-            impacts_, contacts_->constraints, bodies_, {kJointedSweeps, kJointedShare}, [&] {
-                const auto [of_a, of_b] = group.pieces;
-                JointSystem& joints = *settings_.joints;
-                if (of_a != JointGroup::kNoPiece) joints.solve_piece(of_a);
-                if (of_b != JointGroup::kNoPiece && of_b != of_a) joints.solve_piece(of_b);
-            });
+    const auto agree = [&] {
+        jointed_.solve(*settings_.joints, group.pieces, impacts_, contacts_->constraints, bodies_);
     };
     const std::vector<ImpactPoint> start = impacts_;
     const std::vector<Motion> before = motions();
     const double before_J = kinetic_J(bodies_, {0, 0, 0});
     settings_.joints->note_impulses();
-    sweep();
+    agree();
     const double elastic_J = kinetic_J(bodies_, {0, 0, 0});
     if (!(elastic_J > before_J * (1 + kGain))) return;
     // With friction, speeds that are all turned round may be more than there was (Kane and Levinson, Dynamics, 1985): as
@@ -329,7 +298,7 @@ void ImpactPass::solve_jointed(const Group& group) {
     set_motions(before);
     settings_.joints->return_impulses();
     for (ImpactPoint& impact : impacts_) impact.target_mps = impact.shift_m = 0;
-    sweep();
+    agree();
     const std::vector<Motion> plastic_motions = motions();
     const double plastic_J = kinetic_J(bodies_, {0, 0, 0});
     set_motions(mixed(plastic_motions, elastic_motions, 0.5_r));

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "engine/physics/dynamics/contact/contact_set.h"
+#include "engine/physics/dynamics/impact/jointed_impact.h"
 #include "engine/physics/dynamics/joint/joint_group.h"
 #include "engine/physics/dynamics/joint/joint_system.h"
 
@@ -17,21 +18,6 @@
 #include <vector>
 
 namespace plumbline::physics {
-
-/// A point of the pairs that are being solved.
-struct ImpactPoint {
-    std::uint32_t constraint{0};
-    int lane{0};
-    Vec3 arm_a{0, 0, 0};
-    Vec3 arm_b{0, 0, 0};
-    Vec3 belt_mps{0, 0, 0};  ///< of b's surface against b
-    Real normal_mass{0};
-    Real tangent_mass[2]{0, 0};
-    Real target_mps{0};  ///< along the normal, after
-    Real shift_m{0};     ///< along the normal: where a bounce at the surface would have begun
-    Real normal_Ns{0};
-    Real tangent_Ns[2]{0, 0};
-};
 
 struct ImpactSettings {
     Real threshold_mps{0};  ///< slower impacts do not bounce
@@ -74,7 +60,7 @@ private:
     bool gather(const Group& group);
     bool gather(const Pair& pair, bool may_shift);
     void solve(const Group& group);
-    /// Joints are solved after each push; no energy comes of it.
+    /// No energy comes of it.
     void solve_jointed(const Group& group);
 
     struct Motion {
@@ -93,6 +79,7 @@ private:
     std::vector<Pair> pairs_;
     std::vector<Group> groups_;
     std::vector<ImpactPoint> impacts_;  ///< of the group at hand
+    JointedImpact jointed_;
 };
 
 }  // namespace plumbline::physics

@@ -65,11 +65,6 @@ std::span<Bound> part_of(std::span<Bound> bounds, const JointComponent& componen
     return {first, last};
 }
 
-void push(JointBody& body, const Vec3d& impulse_Ns, const Vec3d& arm) {
-    body.velocity_mps += impulse_Ns * body.inverse_mass;
-    body.spin_radps += body.inverse_inertia * glm::cross(arm, impulse_Ns);
-}
-
 }  // namespace
 
 void JointGroup::start(std::span<SolverBody> island_bodies) {
@@ -220,15 +215,6 @@ void JointGroup::find_pieces() {
     }
 }
 
-bool JointGroup::answers_as_piece(const Side& side) const {
-    if (side.piece == kNoPiece) return false;
-    const JointComponent& component = topology->components[side.piece];
-    return std::ranges::none_of(bounds, [&](const JointBound& bound) {
-        return bound.node >= component.first_node && bound.node < component.last_node &&
-               bound.at_bound();
-    });
-}
-
 void JointGroup::stop_piece(std::uint32_t piece) {
     const JointComponent& component = topology->components[piece];
     for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
@@ -237,39 +223,47 @@ void JointGroup::stop_piece(std::uint32_t piece) {
     }
 }
 
-double JointGroup::inverse_mass_along(const BlockLdlt& factor, const ImpulseLine& line) {
+void JointGroup::respond(const BlockLdlt& factor,
+                         const ImpulseLine& pushed,
+                         std::span<const ImpulseLine> lines,
+                         std::span<double> changes) {
     struct End {
-        Side side;
         std::uint32_t body;
-        Vec3 arm;
-        double sign;
-        bool as_piece;
+        Side side;
+        SolverBody alone;
     };
-    const std::array ends{
-        End{sides_[line.a], line.a, line.arm_a, 1, answers_as_piece(sides_[line.a])},
-        End{sides_[line.b], line.b, line.arm_b, -1, answers_as_piece(sides_[line.b])}};
-    const Vec3d direction{line.direction};
-    double sum = 0;
+    std::array ends{End{pushed.a, sides_[pushed.a], island_[pushed.a]},
+                    End{pushed.b, sides_[pushed.b], island_[pushed.b]}};
+    for (End& end : ends) {
+        end.alone.velocity_mps = end.alone.spin_radps = {0, 0, 0};
+        if (end.side.piece != kNoPiece) stop_piece(end.side.piece);
+    }
+    ends[0].alone.push(pushed.direction, pushed.arm_a);
+    ends[1].alone.push(-pushed.direction, pushed.arm_b);
     held_.resize(rows.size());
     for (const End& end : ends) {
-        if (end.as_piece)
-            stop_piece(end.side.piece);
-        else
-            sum +=
-                static_cast<double>(island_[end.body].inverse_mass_along(end.arm, line.direction));
+        if (end.side.piece == kNoPiece) continue;
+        bodies[end.side.member].velocity_mps += Vec3d(end.alone.velocity_mps);
+        bodies[end.side.member].spin_radps += Vec3d(end.alone.spin_radps);
     }
-    for (const End& end : ends) {
-        if (end.as_piece) push(bodies[end.side.member], direction * end.sign, Vec3d(end.arm));
+    const auto hold = [&](std::uint32_t piece) {
+        if (piece != kNoPiece) hold_rows(factor, topology->components[piece], held_);
+    };
+    hold(ends[0].side.piece);
+    if (ends[1].side.piece != ends[0].side.piece) hold(ends[1].side.piece);
+    const auto velocity_at = [&](std::uint32_t body, const Vec3& arm) {
+        const Side& side = sides_[body];
+        if (side.piece != kNoPiece) return bodies[side.member].velocity_at(Vec3d(arm));
+        for (const End& end : ends) {
+            if (end.body == body) return Vec3d(end.alone.velocity_at(arm));
+        }
+        return Vec3d{0, 0, 0};
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const ImpulseLine& line = lines[i];
+        changes[i] = glm::dot(velocity_at(line.a, line.arm_a) - velocity_at(line.b, line.arm_b),
+                              Vec3d(line.direction));
     }
-    for (const End& end : ends) {
-        if (end.as_piece) hold_rows(factor, topology->components[end.side.piece], held_);
-    }
-    for (const End& end : ends) {
-        if (!end.as_piece) continue;
-        const Vec3d velocity = bodies[end.side.member].velocity_at(Vec3d(end.arm));
-        sum += end.sign * glm::dot(velocity, direction);
-    }
-    return sum;
 }
 
 Vec3d JointGroup::reduced_residual(const Vec3d& residual, double substep_s) {

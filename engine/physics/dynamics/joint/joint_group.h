@@ -113,10 +113,13 @@ struct JointGroup {
     /// The number of the component that a body of the island, by its index there, is part of: bodies of one piece move
     /// together. kNoPiece: no joint holds it but springs, or it is immovable.
     std::uint32_t piece_of(std::uint32_t body) const { return sides_[body].piece; }
-    /// By how much a unit impulse changes the velocity of a against b along the line, 1/kg, with all rows held that are
-    /// held now, whose factor this is. Pieces with a limit that is reached, or a motor, count as the body alone, as these may
-    /// let go: more than it is. Leaves the velocities as they come.
-    double inverse_mass_along(const BlockLdlt& factor, const ImpulseLine& line);
+    /// By how much a unit impulse along one line changes the velocity of a against b along each of the others, 1/kg, with all
+    /// rows held that are held now, whose factor this is. The lines' bodies are of two pieces, or the same bodies alone.
+    /// Leaves the velocities as they come.
+    void respond(const BlockLdlt& factor,
+                 const ImpulseLine& pushed,
+                 std::span<const ImpulseLine> lines,
+                 std::span<double> changes);
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
     static Vec3d reduced_residual(const Vec3d& residual, double substep_s);
 
@@ -127,13 +130,11 @@ private:
     };
 
     void find_pieces();
-    /// Whether a unit impulse on this side meets its whole piece.
-    bool answers_as_piece(const Side& side) const;
     void stop_piece(std::uint32_t piece);
 
     std::span<const SolverBody> island_;
     std::vector<Side> sides_;          // by body of the island
-    std::vector<Vec3d> held_;          // room for inverse_mass_along()
+    std::vector<Vec3d> held_;          // room for respond()
     std::vector<BodyVelocities> own_;  // room for with_motion()
 };
 

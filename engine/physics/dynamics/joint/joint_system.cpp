@@ -241,8 +241,10 @@ std::uint32_t JointSystem::piece_of(std::uint32_t body) const {
     return impl_->is_direct() ? impl_->group.piece_of(body) : JointGroup::kNoPiece;
 }
 
-double JointSystem::inverse_mass_along(const ImpulseLine& line) {
-    return impl_->group.inverse_mass_along(impl_->direct.matrix(), line);
+void JointSystem::respond(const ImpulseLine& pushed,
+                          std::span<const ImpulseLine> lines,
+                          std::span<double> changes) {
+    impl_->group.respond(impl_->direct.matrix(), pushed, lines, changes);
 }
 
 void JointSystem::solve_piece(std::uint32_t piece) {

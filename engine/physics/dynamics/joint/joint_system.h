@@ -104,8 +104,10 @@ public:
     /// Before the first push of a sub-step. The number of the piece of bodies that joints hold together; kNoPiece with the
     /// iterative method.
     std::uint32_t piece_of(std::uint32_t body) const;
-    /// As JointGroup::inverse_mass_along().
-    double inverse_mass_along(const ImpulseLine& line);
+    /// As JointGroup::respond().
+    void respond(const ImpulseLine& pushed,
+                 std::span<const ImpulseLine> lines,
+                 std::span<double> changes);
     /// Velocities that the joints of one piece allow.
     void solve_piece(std::uint32_t piece);
     /// The joints' impulses are given back, later, as they are now: what was solved since was a try.
