@@ -47,31 +47,28 @@ void JointedImpact::list_lines(std::span<const ImpactPoint> impacts,
     impulses_.clear();
     for (const ImpactPoint& impact : impacts) {
         const ContactConstraint& constraint = constraints[impact.constraint];
-        points_.push_back({.first = lines_.size(), .rubs = constraint.friction > 0});
+        const std::size_t first = lines_.size();
         const auto add = [&](const Vec3& direction, Real impulse_Ns) {
             lines_.push_back({constraint.a, constraint.b, impact.arm_a, impact.arm_b, direction});
             impulses_.push_back(static_cast<double>(impulse_Ns));
         };
         add(constraint.normal, impact.normal_Ns);
-        if (!points_.back().rubs) continue;
-        for (int t = 0; t < 2; ++t) add(constraint.tangent[t], impact.tangent_Ns[t]);
+        for (int t = 0; t < 2 && constraint.friction > 0; ++t)
+            add(constraint.tangent[t], impact.tangent_Ns[t]);
+        points_.push_back({.first = first, .end = lines_.size()});
     }
     changes_.resize(lines_.size() * lines_.size());
 }
 
 void JointedImpact::measure(JointSystem& joints, std::span<const SolverBody> bodies) {
     const std::size_t size = lines_.size();
-    for (std::size_t i = 0; i < size; ++i)
-        joints.respond(lines_[i], lines_, std::span(changes_).subspan(i * size, size));
-    const auto moves = [&](std::size_t i) {
+    moves_.clear();
+    for (std::size_t i = 0; i < size; ++i) {
         const ImpulseLine& line = lines_[i];
+        joints.respond(line, lines_, std::span(changes_).subspan(i * size, size));
         const Real alone = bodies[line.a].inverse_mass_along(line.arm_a, line.direction) +
                            bodies[line.b].inverse_mass_along(line.arm_b, line.direction);
-        return inverse_mass(i) > kHeldFast * static_cast<double>(alone);
-    };
-    for (PointLines& point : points_) {
-        point.moves = moves(point.first);
-        point.rubs = point.rubs && moves(point.first + 1) && moves(point.first + 2);
+        moves_.push_back(inverse_mass(i) > kHeldFast * static_cast<double>(alone));
     }
 }
 
@@ -79,8 +76,7 @@ void JointedImpact::read_speeds(std::span<const ImpactPoint> impacts,
                                 std::span<const SolverBody> bodies) {
     speeds_.clear();
     for (std::size_t i = 0; i < impacts.size(); ++i) {
-        const std::size_t end = i + 1 < points_.size() ? points_[i + 1].first : lines_.size();
-        for (std::size_t at = points_[i].first; at < end; ++at) {
+        for (std::size_t at = points_[i].first; at < points_[i].end; ++at) {
             const ImpulseLine& line = lines_[at];
             Vec3 velocity =
                 bodies[line.a].velocity_at(line.arm_a) - bodies[line.b].velocity_at(line.arm_b);
@@ -98,8 +94,8 @@ double JointedImpact::agree(std::span<const ImpactPoint> impacts,
         double total_Ns = 0;
         for (std::size_t i = 0; i < impacts.size(); ++i) {
             const PointLines& point = points_[i];
-            if (point.moves) changed_Ns += change_normal(impacts[i], point);
-            if (point.rubs)
+            changed_Ns += change_normal(impacts[i], point);
+            if (point.rubs())
                 changed_Ns += change_friction(constraints[impacts[i].constraint], point);
             total_Ns += impulses_[point.first];
         }
@@ -116,6 +112,7 @@ double JointedImpact::agree(std::span<const ImpactPoint> impacts,
 /// Returns by how much it changed, Ns; so does change_friction().
 double JointedImpact::change_normal(const ImpactPoint& impact, const PointLines& lines) {
     const std::size_t at = lines.first;
+    if (!moves_[at]) return 0;
     const double wanted_mps = static_cast<double>(impact.target_mps) - speeds_[at];
     const double more_Ns = std::max(wanted_mps / inverse_mass(at), -impulses_[at]);
     change(at, more_Ns);
@@ -126,8 +123,10 @@ double JointedImpact::change_friction(const ContactConstraint& constraint,
                                       const PointLines& lines) {
     const std::size_t at[2]{lines.first + 1, lines.first + 2};
     double next_Ns[2];
-    for (int t = 0; t < 2; ++t)
-        next_Ns[t] = impulses_[at[t]] - speeds_[at[t]] / inverse_mass(at[t]);
+    for (int t = 0; t < 2; ++t) {
+        const double more_Ns = moves_[at[t]] ? -speeds_[at[t]] / inverse_mass(at[t]) : 0;
+        next_Ns[t] = impulses_[at[t]] + more_Ns;
+    }
     const double limit_Ns = static_cast<double>(constraint.friction) * impulses_[lines.first];
     const double length_Ns = std::sqrt(next_Ns[0] * next_Ns[0] + next_Ns[1] * next_Ns[1]);
     const double kept = length_Ns > limit_Ns ? limit_Ns / length_Ns : 1;
@@ -149,7 +148,6 @@ void JointedImpact::change(std::size_t line, double impulse_Ns) {
 void JointedImpact::push(std::span<ImpactPoint> impacts, std::span<SolverBody> bodies) const {
     for (std::size_t i = 0; i < impacts.size(); ++i) {
         const std::size_t first = points_[i].first;
-        const std::size_t end = i + 1 < points_.size() ? points_[i + 1].first : lines_.size();
         const auto give = [&](std::size_t at, Real& given_Ns) {
             const ImpulseLine& line = lines_[at];
             const Vec3 more_Ns = line.direction * (static_cast<Real>(impulses_[at]) - given_Ns);
@@ -158,7 +156,7 @@ void JointedImpact::push(std::span<ImpactPoint> impacts, std::span<SolverBody> b
             bodies[line.b].push(-more_Ns, line.arm_b);
         };
         give(first, impacts[i].normal_Ns);
-        for (std::size_t at = first + 1; at < end; ++at)
+        for (std::size_t at = first + 1; at < points_[i].end; ++at)
             give(at, impacts[i].tangent_Ns[at - first - 1]);
     }
 }

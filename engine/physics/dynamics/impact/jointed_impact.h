@@ -43,8 +43,9 @@ private:
     /// Lines of a point: along the normal and, with friction, along both tangents.
     struct PointLines {
         std::size_t first{0};
-        bool rubs{false};
-        bool moves{true};  ///< joints let the bodies move along the normal
+        std::size_t end{0};
+
+        bool rubs() const { return end > first + 1; }
     };
 
     void list_lines(std::span<const ImpactPoint> impacts,
@@ -64,8 +65,8 @@ private:
 
     std::vector<ImpulseLine> lines_;
     std::vector<PointLines> points_;
-    std::vector<double>
-        changes_;  ///< row by row: of the speeds by a unit impulse along a line, 1/kg
+    std::vector<bool> moves_;       ///< joints let the bodies move along the line
+    std::vector<double> changes_;   ///< row by row: of speeds by a unit impulse along a line, 1/kg
     std::vector<double> speeds_;    ///< m/s, by line
     std::vector<double> impulses_;  ///< Ns, by line
 };
