@@ -44,7 +44,7 @@ void turn_to_impact(ContactConstraint& constraint,
     constraint.separation_m[0] = glm::dot(offset, normal) - reach_m;
     constraint.center_a += (constraint.normal - normal) * constraint.radius_a;
     constraint.center_b -= (constraint.normal - normal) * constraint.radius_b;
-    constraint.normal = normal;
+    turn_normal(constraint, normal);
 }
 
 /// How a point of the pair comes together, along the normal.
