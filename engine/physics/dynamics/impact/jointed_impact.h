@@ -53,9 +53,9 @@ private:
     void measure(JointSystem& joints, std::span<const SolverBody> bodies);
     /// Of the bodies, along the lines.
     void read_speeds(std::span<const ImpactPoint> impacts, std::span<const SolverBody> bodies);
-    /// Until the impulses agree. Returns by what share of all they changed.
-    double agree(std::span<const ImpactPoint> impacts,
-                 std::span<const ContactConstraint> constraints);
+    /// The impulses with each other, and the speeds that they are to give.
+    void agree(std::span<const ImpactPoint> impacts,
+               std::span<const ContactConstraint> constraints);
     double change_normal(const ImpactPoint& impact, const PointLines& lines);
     double change_friction(const ContactConstraint& constraint, const PointLines& lines);
     void change(std::size_t line, double impulse_Ns);
